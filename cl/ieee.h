@@ -1,0 +1,39 @@
+// Divide and square root, correctly rounded on every device.
+#ifndef GNOMON_IEEE_H
+#define GNOMON_IEEE_H
+
+#include "lanes.h"
+
+// From a quotient or root that is a few ulp off (OpenCL C 1.2, table 7.1: 2.5 ulp for x / y, 3 for sqrt) to the
+// correctly rounded one, by fma residuals: Markstein, "Computation of elementary functions on the IBM RISC System/6000
+// processor", IBM J. Res. Dev. 34 (1990), theorems for q + r y and s + r h. The first step brings the estimate within
+// one ulp, where the residual of the second is exact. Operands and results must be normal numbers away from the ends of
+// the range.
+static inline floatw correct_quotient(floatw a, floatw b, floatw q, floatw reciprocal) {
+    const floatw y1 = fma(fma(-b, reciprocal, wide(1.0f)), reciprocal, reciprocal);
+    const floatw y = fma(fma(-b, y1, wide(1.0f)), y1, y1);
+    const floatw q1 = fma(fma(-q, b, a), y, q);
+    return fma(fma(-q1, b, a), y, q1);
+}
+static inline floatw correct_root(floatw a, floatw s, floatw half_reciprocal) {
+    const floatw s1 = fma(fma(-s, s, a), half_reciprocal, s);
+    return fma(fma(-s1, s1, a), half_reciprocal, s1);
+}
+
+#ifdef CORRECTLY_ROUNDED
+static inline floatw divide(floatw a, floatw b) { return a / b; }
+static inline floatw square_root(floatw a) { return sqrt(a); }
+#else
+static inline floatw divide(floatw a, floatw b) {
+    const floatw q = a / b;
+    const floatw corrected = correct_quotient(a, b, q, wide(1.0f) / b);
+    return (q - q == 0.0f) & (b - b == 0.0f) & (q != 0.0f) ? corrected : q;  // not for inf, NaN and zero
+}
+static inline floatw square_root(floatw a) {
+    const floatw s = sqrt(a);
+    const floatw corrected = correct_root(a, s, wide(0.5f) / s);
+    return (a > 0.0f) & (s - s == 0.0f) ? corrected : s;
+}
+#endif
+
+#endif

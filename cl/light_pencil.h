@@ -1,0 +1,9 @@
+// The pencil of the kind of light that this program is built for, -D LIGHT=...; each kind defines LightPencil,
+// ShadowRay, shadow_ray(), facing(), geometry() and occludes().
+#if LIGHT == LIGHT_DIRECTIONAL
+#include "parallel_pencil.h"
+#elif LIGHT == LIGHT_POINT
+#include "point_pencil.h"
+#else
+#error "LIGHT must be LIGHT_DIRECTIONAL or LIGHT_POINT"
+#endif

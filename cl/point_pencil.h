@@ -1,0 +1,54 @@
+// The shadow pencil of a point light: rays leave the light, so spheres are seen from there (sphere.h), and an occluder
+// counts when it meets the open segment between light and receiver.
+#ifndef GNOMON_POINT_PENCIL_H
+#define GNOMON_POINT_PENCIL_H
+
+#include "sphere.h"
+
+typedef PointPencil LightPencil;
+
+// What a receiver's shadow ray shares among all spheres.
+typedef struct {
+    vec3w dir;        // unit, from the light to the receiver
+    floatw distance;  // between the two
+} ShadowRay;
+
+static inline vec3w from_light(LightPencil light, vec3w position) {
+    return (vec3w){position.x - light.origin.x, position.y - light.origin.y, position.z - light.origin.z};
+}
+
+// A receiver at the light itself gets NaN: it meets nothing, and facing() says that it is not lit.
+static inline ShadowRay shadow_ray(LightPencil light, vec3w position) {
+    const vec3w way = from_light(light, position);
+    const floatw distance = square_root(dot_w(way, way));
+    return (ShadowRay){scale_w(divide(wide(1.0f), distance), way), distance};
+}
+
+// d n . l: > 0 where the surface faces the light, 0 at the light.
+static inline floatw facing(LightPencil light, vec3w position, vec3w normal) {
+    return -dot_w(from_light(light, position), normal);
+}
+
+// n . l / d^2 = (d n . l) / d^3
+static inline floatw geometry(LightPencil light, vec3w position, vec3w normal) {
+    const vec3w way = from_light(light, position);
+    const floatw squared = dot_w(way, way);
+    return divide(divide(-dot_w(way, normal), squared), square_root(squared));
+}
+
+// From outside (C > 0), with the centre ahead: the segment meets the sphere when its line does and the near root lies
+// before the receiver, because the foot of the centre does or because the receiver is in the ball. From inside the ball
+// (C <= 0) it does when the receiver is out of it; from a light on the surface only if the way starts inward.
+static inline intw occludes(PencilSphere s, ShadowRay ray) {
+    const floatw b = dot_f(s.center, ray.dir), beyond = b - ray.distance;
+    const floatw discriminant = sphere_discriminant(s, ray.dir, b);
+    if (s.form == FORM_SMALL)
+        return (discriminant >= 0.0f) & (b > 0.0f) & ((beyond < 0.0f) | (beyond * beyond < discriminant));
+    // The receiver's power |d dir - f|^2 - r^2 = C - d (2 b - d).
+    const floatw power = fma(-ray.distance, b + beyond, wide(s.power));
+    const intw outside = (b > 0.0f) & ((power < 0.0f) | ((beyond < 0.0f) & (discriminant >= 0.0f)));
+    const intw inside = (power > 0.0f) & ((b > 0.0f) | (wide(s.power) < 0.0f));
+    return wide(s.power) > 0.0f ? outside : inside;
+}
+
+#endif

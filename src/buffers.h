@@ -1,0 +1,38 @@
+// What lies on the device: the scene, once a picture; the rays and hits of a tile, once for each tile under way.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "opencl.h"
+#include "pencil.h"
+#include "plan.h"
+
+namespace gnomon {
+
+/// One light: its pencil and factor, passed by value, and the spheres as its rays see them (when shadows are on).
+struct LightBuffers {
+    std::variant<ParallelPencil, PointPencil> pencil;
+    Float3 phi{};
+    cl::Buffer spheres;
+};
+
+struct SceneBuffers {
+    EyePencil eye{};
+    int sphere_count = 0;  ///< in every list of spheres
+    cl::Buffer spheres;    ///< as the eye sees them
+    cl::Buffer albedos;    ///< Float3 for each id
+    std::vector<LightBuffers> lights;
+};
+
+/// The scene as the plan's steps need it; `ids` are the distinct spheres.
+SceneBuffers upload(const cl::Context& context, const Scene& scene, const std::vector<int>& ids, const Plan& plan);
+
+/// Rays and hits of one tile, in block order; planes receives the film's part where it is not written in place.
+struct TileBuffers {
+    cl::Buffer dirs, ts, normals, ids, hit_counts, lit, radiance, planes[3];
+};
+
+TileBuffers allocate_tile(const cl::Context& context, const Plan& plan);
+
+}  // namespace gnomon

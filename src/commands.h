@@ -1,0 +1,43 @@
+// The subcommands: each declares its flags, and runs.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "image_io.h"
+#include "render.h"
+
+namespace gnomon {
+
+/// gnomon render SCENE.json ...
+class RenderCommand {
+  public:
+    explicit RenderCommand(CLI::App& app);
+    bool chosen() const { return command_->parsed(); }
+    /// The exit code; throws Error.
+    int run();
+
+  private:
+    void say(const std::string& line) const;
+
+    CLI::App* command_;
+    std::string scene_path_, device_, size_, view_ = "radiance", stats_path_;
+    std::vector<std::string> outputs_;
+    Display display_;
+    bool no_shadows_ = false, quiet_ = false;
+    RenderOptions options_;
+};
+
+/// gnomon devices
+class DevicesCommand {
+  public:
+    explicit DevicesCommand(CLI::App& app);
+    /// The exit code; throws Error.
+    int run() const;
+
+  private:
+    bool json_ = false;
+};
+
+}  // namespace gnomon

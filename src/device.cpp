@@ -1,0 +1,144 @@
+#include "device.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "error.h"
+#include "opencl.h"
+
+namespace gnomon {
+
+namespace {
+
+std::string lower(std::string s) {
+    std::transform(s.begin(), s.end(), s.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return s;
+}
+
+/// Drivers pad their strings with blanks and zeros.
+std::string trimmed(std::string s) {
+    const auto blank = [](char c) { return c == '\0' || std::isspace(static_cast<unsigned char>(c)) != 0; };
+    while (!s.empty() && blank(s.back())) s.pop_back();
+    s.erase(s.begin(), std::find_if_not(s.begin(), s.end(), blank));
+    return s;
+}
+
+DeviceType type_of(cl_device_type type) {
+    if (type & CL_DEVICE_TYPE_GPU) return DeviceType::gpu;
+    if (type & CL_DEVICE_TYPE_ACCELERATOR) return DeviceType::accel;
+    return type & CL_DEVICE_TYPE_CPU ? DeviceType::cpu : DeviceType::other;
+}
+
+std::vector<cl::Platform> platforms() {
+    std::vector<cl::Platform> found;
+    try {
+        cl::Platform::get(&found);
+    } catch (const cl::Error& error) {
+        if (error.err() != -1001) throw;  // CL_PLATFORM_NOT_FOUND_KHR, of the extension cl_khr_icd: no driver installed
+    }
+    return found;
+}
+
+std::vector<cl::Device> devices_of(const cl::Platform& platform) {
+    std::vector<cl::Device> found;
+    try {
+        platform.getDevices(CL_DEVICE_TYPE_ALL, &found);
+    } catch (const cl::Error& error) {
+        if (error.err() != CL_DEVICE_NOT_FOUND) throw;  // rusticl and Clover offer platforms without devices
+    }
+    return found;
+}
+
+DeviceInfo inspect(const cl::Platform& platform, const cl::Device& device) {
+    DeviceInfo info;
+    info.type = type_of(device.getInfo<CL_DEVICE_TYPE>());
+    info.name = trimmed(device.getInfo<CL_DEVICE_NAME>());
+    info.platform_name = trimmed(platform.getInfo<CL_PLATFORM_NAME>());
+    info.version = trimmed(device.getInfo<CL_DEVICE_VERSION>());
+    info.driver = trimmed(device.getInfo<CL_DRIVER_VERSION>());
+    info.compute_units = static_cast<int>(device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>());
+    info.native_width_float = static_cast<int>(device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>());
+    info.max_work_group = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
+    info.global_bytes = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
+    info.max_alloc_bytes = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
+    info.shares_memory = device.getInfo<CL_DEVICE_HOST_UNIFIED_MEMORY>() != 0;
+    info.correctly_rounded = (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
+    info.out_of_order = (device.getInfo<CL_DEVICE_QUEUE_PROPERTIES>() & CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE) != 0;
+    info.fp64 = device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>() != 0;
+    return info;
+}
+
+/// `request` in lower case: a number or a type means just that, anything else is part of a name.
+bool matches(const DeviceInfo& info, const std::string& request) {
+    if (request.find_first_not_of("0123456789:") == std::string::npos) return request == info.number();
+    for (const DeviceType type : {DeviceType::cpu, DeviceType::gpu, DeviceType::accel})
+        if (request == to_string(type)) return info.type == type;
+    return lower(info.name).find(request) != std::string::npos ||
+           lower(info.platform_name).find(request) != std::string::npos;
+}
+
+std::string listed(const std::vector<DeviceInfo>& devices) {
+    std::string list = "devices here:";
+    for (const DeviceInfo& d : devices)
+        list += "\n    " + d.number() + "  " + to_string(d.type) + "  " + d.name + " (" + d.platform_name + ")";
+    return list;
+}
+
+const DeviceInfo& preferred(const std::vector<DeviceInfo>& devices) {
+    for (const DeviceType type : {DeviceType::gpu, DeviceType::cpu})
+        for (const DeviceInfo& d : devices)
+            if (d.type == type) return d;
+    return devices.front();
+}
+
+}  // namespace
+
+const char* to_string(DeviceType type) {
+    switch (type) {
+        case DeviceType::cpu:
+            return "cpu";
+        case DeviceType::gpu:
+            return "gpu";
+        case DeviceType::accel:
+            return "accel";
+        case DeviceType::other:
+            break;
+    }
+    return "other";
+}
+
+std::vector<DeviceInfo> list_devices() try {
+    std::vector<DeviceInfo> result;
+    const std::vector<cl::Platform> found = platforms();
+    for (size_t p = 0; p < found.size(); ++p) {
+        const std::vector<cl::Device> devices = devices_of(found[p]);
+        for (size_t d = 0; d < devices.size(); ++d) {
+            result.push_back(inspect(found[p], devices[d]));
+            result.back().platform = static_cast<int>(p);
+            result.back().device = static_cast<int>(d);
+        }
+    }
+    if (result.empty())
+        throw Error(Blame::run, found.empty() ? "no OpenCL platform is installed" : "no OpenCL platform has a device",
+                    "", "install one: Debian's package pocl-opencl-icd runs kernels on the CPU");
+    return result;
+} catch (const cl::Error& error) {
+    throw Error(Blame::run, describe(error), "listing OpenCL devices", "`clinfo` shows what the drivers say");
+}
+
+const DeviceInfo& choose_device(const std::vector<DeviceInfo>& devices, const std::string& request) {
+    if (devices.empty()) throw Error(Blame::run, "no OpenCL device to choose from");
+    if (request.empty()) return preferred(devices);
+    std::vector<const DeviceInfo*> found;
+    for (const DeviceInfo& d : devices)
+        if (matches(d, lower(request))) found.push_back(&d);
+    if (found.size() == 1) return *found.front();
+    throw Error(Blame::input, found.empty() ? "no such device" : "several devices match", "--device " + request,
+                "give P:D, cpu, gpu, accel or part of a name that only one device has; " + listed(devices));
+}
+
+cl::Device open_device(const DeviceInfo& info) {
+    return devices_of(platforms().at(static_cast<size_t>(info.platform))).at(static_cast<size_t>(info.device));
+}
+
+}  // namespace gnomon

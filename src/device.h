@@ -1,0 +1,37 @@
+// Which OpenCL devices there are, and which one a user means.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+enum class DeviceType { cpu, gpu, accel, other };
+
+/// One device as its driver describes it.
+struct DeviceInfo {
+    int platform = 0, device = 0;  ///< as `clinfo -l` numbers them
+    DeviceType type = DeviceType::other;
+    std::string name, platform_name, version, driver;
+    int compute_units = 0;
+    int native_width_float = 0;  ///< CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT
+    uint64_t max_work_group = 0, global_bytes = 0, max_alloc_bytes = 0;
+    bool shares_memory = false;      ///< with the host
+    bool correctly_rounded = false;  ///< divide and sqrt, when asked (CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT)
+    bool out_of_order = false, fp64 = false;
+
+    std::string number() const { return std::to_string(platform) + ":" + std::to_string(device); }
+};
+
+const char* to_string(DeviceType type);
+
+/// All devices of all platforms that have any. Throws Error(Blame::run) when there is no OpenCL platform at all.
+std::vector<DeviceInfo> list_devices();
+
+/// The device that `request` means among `devices`: "P:D", "cpu", "gpu", "accel", or part of a name or platform (case
+/// ignored); empty: the first GPU, else the first CPU, else the first. Throws Error(Blame::input) with the list when
+/// none or several match.
+const DeviceInfo& choose_device(const std::vector<DeviceInfo>& devices, const std::string& request);
+
+}  // namespace gnomon

@@ -1,0 +1,43 @@
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "stats_json.h"
+
+namespace gnomon {
+
+namespace {
+
+const char* yes(bool b) { return b ? "yes" : "no"; }
+
+void print(const DeviceInfo& d) {
+    fmt::print("{}  {}  {}\n", d.number(), to_string(d.type), d.name);
+    fmt::print("     platform {}, {}, driver {}\n", d.platform_name, d.version, d.driver);
+    fmt::print("     {} compute units, {} MiB, {} MiB in one buffer, native float vectors of {}\n", d.compute_units,
+               d.global_bytes >> 20, d.max_alloc_bytes >> 20, d.native_width_float);
+    fmt::print("     correctly rounded divide and sqrt: {}, double: {}, out-of-order queue: {}, shares memory: {}\n",
+               d.correctly_rounded ? "yes" : "no (corrected by fma)", yes(d.fp64), yes(d.out_of_order),
+               yes(d.shares_memory));
+}
+
+}  // namespace
+
+DevicesCommand::DevicesCommand(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("devices", "List the OpenCL devices, numbered as clinfo -l does.");
+    command->add_flag("--json", json_, "as JSON");
+}
+
+int DevicesCommand::run() const {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const DeviceInfo& device : list_devices()) {
+        if (json_)
+            list.push_back(to_json(device));
+        else
+            print(device);
+    }
+    if (json_) fmt::print("{}\n", list.dump(2));
+    return 0;
+}
+
+}  // namespace gnomon

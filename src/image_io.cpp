@@ -1,0 +1,307 @@
+#include "image_io.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "display.h"
+#include "error.h"
+
+namespace gnomon {
+
+namespace {
+
+namespace fs = std::filesystem;
+using OIIO::ImageSpec;
+using OIIO::TypeDesc;
+using OIIO::Filesystem::IOProxy;
+
+constexpr const char* writing_failed = "cannot write the image";
+constexpr const char* common_formats = "try .exr, .png, .tif or .jpg";
+
+/// Of zlib, 1 to 9. A 1024x768 picture of shaded spheres: level 1 130 kB in 30 ms, 3 97 kB in 30 ms, 6 69 kB in 42 ms.
+constexpr int png_compression = 3;
+
+std::string reason(int error_number) { return std::generic_category().message(error_number); }
+
+/// A file beside `target` that takes its name once it is whole, and is gone after any failure. It is written through a
+/// stream of our own since many of OpenImageIO's writers do not notice a full disk (and libjpeg's ends the program);
+/// the stream does.
+class TemporaryFile {
+  public:
+    explicit TemporaryFile(const fs::path& target)
+        : target_(target),
+          path_(target.parent_path() /
+                ("." + target.stem().string() + "." + std::to_string(getpid()) + ".tmp" + target.extension().string())),
+          stream_(std::fopen(path_.c_str(), "w+b")) {
+        if (!stream_) throw Error(Blame::run, writing_failed, path_.string(), reason(errno));
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile() {
+        if (stream_) std::fclose(stream_);
+        std::error_code ignored;
+        if (!path_.empty()) fs::remove(path_, ignored);
+    }
+
+    std::string path() const { return path_.string(); }
+    std::FILE* stream() { return stream_; }
+
+    /// Throws unless all that was written has reached the file.
+    void close() {
+        const bool lost = std::ferror(stream_) != 0;
+        const bool closed = std::fclose(std::exchange(stream_, nullptr)) == 0;
+        if (lost || !closed) throw Error(Blame::run, writing_failed, target_.string(), "is the disk full?");
+    }
+
+    void move_to_target() {
+        std::error_code error;
+        fs::rename(path_, target_, error);
+        if (error) throw Error(Blame::run, writing_failed, target_.string(), error.message());
+        path_.clear();
+    }
+
+  private:
+    fs::path target_, path_;
+    std::FILE* stream_;
+};
+
+bool is_exr(const fs::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension == ".exr";
+}
+
+/// Left alone, OpenImageIO puts the current time into the files whose format has a place for one, and the same picture
+/// would never give the same bytes. https://reproducible-builds.org/specs/source-date-epoch/
+std::string file_time() {
+    const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
+    const auto seconds = static_cast<std::time_t>(epoch ? std::strtoll(epoch, nullptr, 10) : 0);
+    std::tm utc{};
+    gmtime_r(&seconds, &utc);
+    char text[64];
+    return std::string(text, std::strftime(text, sizeof text, "%Y:%m:%d %H:%M:%S", &utc));
+}
+
+/// One of OpenImageIO's writers, putting its bytes into a sink. Every step throws when it fails.
+class Output {
+  public:
+    Output(const std::string& path, IOProxy& sink)
+        : path_(path),
+          // Asked for by the extension alone: in a whole name OpenImageIO would read options after a '?'.
+          writer_(OIIO::ImageOutput::create(fs::path(path).extension().string().substr(1))) {
+        const std::string ignored = OIIO::geterror();  // what nobody fetches is printed when the program ends
+        if (!writer_ || !writer_->set_ioproxy(&sink))
+            throw Error(Blame::run, "this image format cannot be written", path, common_formats);
+    }
+
+    void open(const ImageSpec& spec) { require(writer_->open(path_, spec)); }
+    void write_rows(int from, int to, TypeDesc type, const void* values) {
+        require(writer_->write_scanlines(from, to, 0, type, values));
+    }
+    void close() { require(writer_->close()); }
+
+    bool is(const char* format) const { return std::strcmp(writer_->format_name(), format) == 0; }
+    /// Of the values in the file; the format may not have the one asked for.
+    TypeDesc type() const { return writer_->spec().format; }
+
+  private:
+    void require(bool done) {
+        const std::string message = writer_->geterror();  // some writers say that all went well and leave a message
+        if (!done || !message.empty()) throw Error(Blame::run, writing_failed, path_, message);
+    }
+
+    std::string path_;
+    std::unique_ptr<OIIO::ImageOutput> writer_;
+};
+
+ImageSpec make_spec(const Film& film, size_t channels, TypeDesc type, const Metadata& metadata) {
+    ImageSpec spec(film.width, film.height, static_cast<int>(channels), type);
+    for (const auto& [name, value] : metadata) spec.attribute(name, value);
+    return spec;
+}
+
+/// A plane of the film as a channel of an EXR. All values have four bytes.
+struct Channel {
+    const char* name;
+    TypeDesc type;
+    const unsigned char* values;
+};
+constexpr size_t value_size = 4;
+
+std::vector<Channel> channels_of(const Film& film) {
+    std::vector<Channel> channels;
+    const auto add = [&](const char* name, TypeDesc type, const auto& plane) {
+        static_assert(sizeof plane[0] == value_size);
+        if (!plane.empty()) channels.push_back({name, type, reinterpret_cast<const unsigned char*>(plane.data())});
+    };
+    add("R", TypeDesc::FLOAT, film.radiance[0]);
+    add("G", TypeDesc::FLOAT, film.radiance[1]);
+    add("B", TypeDesc::FLOAT, film.radiance[2]);
+    add("distance.Z", TypeDesc::FLOAT, film.distance);
+    add("N.X", TypeDesc::FLOAT, film.normal[0]);
+    add("N.Y", TypeDesc::FLOAT, film.normal[1]);
+    add("N.Z", TypeDesc::FLOAT, film.normal[2]);
+    add("id", TypeDesc::UINT32, film.id);  // -1 becomes 0xFFFFFFFF: EXR has no signed integers
+    return channels;
+}
+
+ImageSpec exr_spec(const Film& film, const std::vector<Channel>& channels, const Metadata& metadata) {
+    ImageSpec spec = make_spec(film, channels.size(), TypeDesc::FLOAT, metadata);
+    spec.channelnames.clear();
+    for (const Channel& channel : channels) {
+        spec.channelnames.emplace_back(channel.name);
+        spec.channelformats.push_back(channel.type);
+    }
+    spec.attribute("compression", "zip");
+    spec.attribute("DateTime", file_time());
+    return spec;
+}
+
+/// Copies `count` pixels from `first` on to `pixels`, a pixel's values side by side.
+void interleave(const std::vector<Channel>& channels, size_t first, size_t count, unsigned char* pixels) {
+    const size_t pixel_size = channels.size() * value_size;
+    for (const Channel& channel : channels) {
+        const unsigned char* from = channel.values + first * value_size;
+        for (unsigned char* to = pixels; to < pixels + count * pixel_size; to += pixel_size, from += value_size)
+            std::memcpy(to, from, value_size);
+        pixels += value_size;
+    }
+}
+
+/// A file whose ids went through floats would look right and be wrong above 2^24, so the header is read again.
+void check_channels(const std::string& file, const std::vector<Channel>& channels, const std::string& path) {
+    const auto reader = OIIO::ImageInput::create("openexr");
+    ImageSpec spec;
+    if (!reader || !reader->open(file, spec))
+        throw Error(Blame::run, "cannot read the image just written", path, reader ? reader->geterror() : "");
+    for (const Channel& channel : channels) {
+        const int index = spec.channelindex(channel.name);
+        if (index < 0 || spec.channelformat(index) != channel.type)
+            throw Error(Blame::run, std::string("the file's channel ") + channel.name + " has the wrong type", path);
+    }
+}
+
+void write_exr(const Film& film, const std::string& path, const Metadata& metadata, TemporaryFile& file) {
+    const std::vector<Channel> channels = channels_of(film);
+    const size_t width = static_cast<size_t>(film.width), row_size = width * channels.size() * value_size;
+    // A few MiB at a time, whole 16-row blocks of EXR's zip, so that a huge film needs little memory besides itself.
+    constexpr size_t chunk_size = size_t{8} << 20;
+    const int chunk = static_cast<int>(std::max<size_t>(1, chunk_size / 16 / std::max<size_t>(1, row_size))) * 16;
+    std::vector<unsigned char> pixels(row_size * static_cast<size_t>(std::min(chunk, film.height)));
+
+    OIIO::Filesystem::IOFile sink(file.stream(), IOProxy::Write);
+    Output out(path, sink);
+    out.open(exr_spec(film, channels, metadata));
+    for (int from = 0; from < film.height; from += chunk) {
+        const int to = std::min(from + chunk, film.height);
+        interleave(channels, width * static_cast<size_t>(from), width * static_cast<size_t>(to - from), pixels.data());
+        out.write_rows(from, to, TypeDesc::UNKNOWN, pixels.data());  // unknown: each channel in its own type
+    }
+    out.close();
+    file.close();
+    check_channels(file.path(), channels, path);
+}
+
+template <class Code>
+void write_rows(const DisplayImage& image, const ImageSpec& spec, Output& out) {
+    std::vector<Code> row(static_cast<size_t>(spec.width) * 3);
+    for (int y = 0; y < spec.height; ++y) {
+        image.row(y, row.data());
+        out.write_rows(y, y + 1, spec.format, row.data());
+    }
+}
+
+/// By way of the memory: a display image is small beside its film, and a writer then cannot meet a full disk.
+void write_display(const Film& film, const std::string& path, const Display& display, const Metadata& metadata,
+                   TemporaryFile& file) {
+    const DisplayImage image(film, display);
+    const TypeDesc type = display.bits == 8 ? TypeDesc::UINT8 : TypeDesc::UINT16;
+    OIIO::Filesystem::IOVecOutput memory;
+    Output out(path, memory);
+    ImageSpec spec = make_spec(film, 3, type, metadata);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute("png:compressionLevel", png_compression);
+    if (!out.is("png")) spec.attribute("DateTime", file_time());  // a PNG has no time unless it is given one
+    out.open(spec);
+    if (out.type() != type)
+        throw Error(Blame::run, "this format has no " + std::to_string(display.bits) + " bits a channel", path,
+                    display.bits == 16 ? "try .png or .tif, or 8 bits" : common_formats);
+    display.bits == 8 ? write_rows<uint8_t>(image, spec, out) : write_rows<uint16_t>(image, spec, out);
+    out.close();
+    std::fwrite(memory.buffer().data(), 1, memory.buffer().size(), file.stream());
+    file.close();
+}
+
+void write_file(const Film& film, const std::string& path, const Display& display, const Metadata& metadata,
+                TemporaryFile& file) {
+    if (is_exr(path))
+        write_exr(film, path, metadata, file);
+    else
+        write_display(film, path, display, metadata, file);
+}
+
+/// A picture as small as all formats take (JPEG 2000 wants more than 32 pixels a side).
+Film trial_film(const Outputs& outputs) {
+    Film film(64, 64, outputs);
+    for (auto& plane : film.radiance) std::fill(plane.begin(), plane.end(), 0.0f);
+    for (auto& plane : film.normal) std::fill(plane.begin(), plane.end(), 0.0f);
+    std::fill(film.distance.begin(), film.distance.end(), 0.0f);
+    std::fill(film.id.begin(), film.id.end(), 0);
+    return film;
+}
+
+void check_place(const fs::path& path) {
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    const auto refuse = [&](const std::string& what, const std::string& hint) {
+        throw Error(Blame::input, what, path.string(), hint);
+    };
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) refuse("this is a folder", "add a file name");
+    if (path.extension().string().size() < 2) refuse("the name has no extension to tell the format", common_formats);
+    if (!fs::exists(folder, ignored)) refuse("there is no folder " + folder.string(), "make it first");
+    if (!fs::is_directory(folder, ignored)) refuse(folder.string() + " is not a folder", "choose another path");
+    if (access(folder.c_str(), W_OK | X_OK) != 0)
+        refuse("cannot write to folder " + folder.string() + ": " + reason(errno), "choose another folder");
+}
+
+}  // namespace
+
+Outputs outputs_for(const std::string& path, const Display& display) {
+    if (is_exr(path)) return {true, true, true, true};
+    return {display.view == View::radiance, display.view == View::distance, display.view == View::normal,
+            display.view == View::id};
+}
+
+void check_writable(const std::string& path, const Display& display) {
+    if (display.bits != 8 && display.bits != 16)
+        throw Error(Blame::input, std::to_string(display.bits) + " bits a channel", path, "choose 8 or 16");
+    check_place(path);
+    try {  // What a format, a folder and a file system take, a trial tells best.
+        TemporaryFile file(path);
+        write_file(trial_film(outputs_for(path, display)), path, display, {}, file);
+    } catch (const Error& error) {
+        throw Error(Blame::input, error.what());
+    }
+}
+
+void write_image(const Film& film, const std::string& path, const Display& display, const Metadata& metadata) {
+    TemporaryFile file(path);
+    write_file(film, path, display, metadata, file);
+    file.move_to_target();
+}
+
+}  // namespace gnomon

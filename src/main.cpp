@@ -1,0 +1,37 @@
+// The command line: subcommands, and one catch ladder.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <new>
+
+#include "commands.h"
+#include "error.h"
+
+namespace {
+
+int fail(const std::string& message, int code) {
+    fmt::print(stderr, "gnomon: {}\n", message);
+    return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    CLI::App app{"Renders scenes of spheres under directional and point lights with OpenCL kernels.", "gnomon"};
+    app.set_version_flag("--version", "gnomon " GNOMON_VERSION);
+    app.require_subcommand(1);
+    gnomon::RenderCommand render(app);
+    gnomon::DevicesCommand devices(app);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;  // --help and --version are no errors
+    }
+    return render.chosen() ? render.run() : devices.run();
+} catch (const gnomon::Error& error) {
+    return fail(error.what(), error.exit_code());
+} catch (const std::bad_alloc&) {
+    return fail("out of memory; render a smaller --size", 1);
+} catch (const std::exception& error) {
+    return fail(std::string("internal error: ") + error.what(), 1);
+}

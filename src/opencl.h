@@ -1,0 +1,21 @@
+// OpenCL's C++ binding as this project uses it: exceptions on, 1.2 as the least that a driver must offer.
+#pragma once
+
+#define CL_HPP_ENABLE_EXCEPTIONS
+#define CL_HPP_MINIMUM_OPENCL_VERSION 120
+#define CL_HPP_TARGET_OPENCL_VERSION 120
+#define CL_TARGET_OPENCL_VERSION 120
+#include <CL/opencl.hpp>
+#include <string>
+
+#include "device.h"
+
+namespace gnomon {
+
+/// The driver's handle for a listed device.
+cl::Device open_device(const DeviceInfo& info);
+
+/// "clBuildProgram failed: CL_OUT_OF_RESOURCES (-5)"
+std::string describe(const cl::Error& error);
+
+}  // namespace gnomon

@@ -1,0 +1,189 @@
+#include "plan.h"
+
+#include <algorithm>
+
+#include "error.h"
+
+namespace gnomon {
+
+namespace {
+
+// Rays in a tile. On a CPU the buffers of the tiles under way should stay in the caches: 2 x 64 Ki rays of 48 bytes are
+// 6 MiB. A GPU wants enough work in a launch to fill it.
+constexpr int cpu_tile_rays = 1 << 16, gpu_tile_rays = 1 << 20;
+constexpr int max_tile_rays = 1 << 24;
+
+int choose_lanes(int asked, const DeviceLimits& limits) {
+    if (asked == 0) {
+        if (!limits.cpu) return 1;
+        for (const int lanes : {16, 8, 4})
+            if (limits.native_width_float >= lanes) return lanes;
+        return 4;
+    }
+    for (const int lanes : {1, 4, 8, 16})
+        if (asked == lanes) return lanes;
+    throw Error(Blame::input, "found " + std::to_string(asked) + ", expected 1, 4, 8 or 16", "--lanes");
+}
+
+int tile_rays(int asked, const DeviceLimits& limits) {
+    if (asked == 0) return limits.cpu ? cpu_tile_rays : gpu_tile_rays;
+    if (asked >= BLOCK_RAYS && asked <= max_tile_rays) return asked;
+    throw Error(Blame::input,
+                "found " + std::to_string(asked) + ", expected rays a tile, " + std::to_string(BLOCK_RAYS) + " to " +
+                    std::to_string(max_tile_rays),
+                "--tile");
+}
+
+/// Whole rows of blocks where they fit a tile, parts of one row where they do not.
+std::vector<Tile> cut(const ImageSize& image, int rays) {
+    const int blocks_x = (image.width + BLOCK_SIDE - 1) / BLOCK_SIDE,
+              blocks_y = (image.height + BLOCK_SIDE - 1) / BLOCK_SIDE;
+    const int wide = std::min(blocks_x, rays / BLOCK_RAYS),
+              high = std::min(blocks_y, std::max(1, rays / BLOCK_RAYS / wide));
+    std::vector<Tile> tiles;
+    for (int y = 0; y < blocks_y; y += high)
+        for (int x = 0; x < blocks_x; x += wide) {
+            const int w = std::min(wide, blocks_x - x), h = std::min(high, blocks_y - y);
+            tiles.push_back({x * BLOCK_SIDE, y * BLOCK_SIDE, w, w * h});
+        }
+    return tiles;
+}
+
+/// Adds launches to a plan, and a kernel variant when it is the first to need it.
+class Chain {
+  public:
+    explicit Chain(Plan& plan) : plan_(plan) {}
+
+    void add(Step step, const std::vector<std::string>& defines) {
+        step.variant = variant(step.kernel, defines);
+        plan_.steps.push_back(step);
+    }
+    void add_lanes(Step step, std::vector<std::string> defines) {
+        defines.insert(defines.begin(),
+                       {"LANES=" + std::to_string(plan_.lanes), "PACKETS=" + std::to_string(plan_.packets)});
+        add(step, defines);
+    }
+    void resolve(Output output) {
+        Step step{Kernel::resolve, 0};
+        step.output = output;
+        add(step, {});
+    }
+
+  private:
+    int variant(Kernel kernel, const std::vector<std::string>& defines) {
+        const auto same = [&](const Variant& v) { return v.kernel == kernel && v.defines == defines; };
+        const auto found = std::find_if(plan_.variants.begin(), plan_.variants.end(), same);
+        if (found == plan_.variants.end()) plan_.variants.push_back({kernel, defines});
+        return static_cast<int>(
+            std::distance(plan_.variants.begin(), std::find_if(plan_.variants.begin(), plan_.variants.end(), same)));
+    }
+
+    Plan& plan_;
+};
+
+void add_lights(Chain& chain, const Scene& scene, const RenderOptions& options) {
+    for (size_t i = 0; i < scene.lights.size(); ++i) {
+        const bool point = std::holds_alternative<PointLight>(scene.lights[i]);
+        const std::string kind = point ? "LIGHT=LIGHT_POINT" : "LIGHT=LIGHT_DIRECTIONAL";
+        Step step{Kernel::intersect_shadow, 0, static_cast<int>(i)};
+        if (options.shadows) chain.add_lanes(step, {kind});
+        step.kernel = Kernel::shade_light;
+        step.first = i == 0;
+        chain.add_lanes(step, {kind, options.shadows ? "SHADOWS=1" : "SHADOWS=0"});
+    }
+}
+
+/// Only what the scene and the outputs need: without spheres, or without anything to show of them, no launch at all.
+void add_steps(Plan& plan, const Scene& scene, const RenderOptions& options) {
+    const Outputs& wanted = options.outputs;
+    const bool shaded = wanted.radiance && !scene.lights.empty();
+    if (scene.spheres.empty() || !(shaded || wanted.distance || wanted.normal || wanted.id)) return;
+    Chain chain(plan);
+    chain.add_lanes({Kernel::generate_rays, 0}, {});
+    chain.add_lanes({Kernel::intersect_closest, 0}, {});
+    if (wanted.distance) chain.resolve(Output::distance);
+    if (wanted.normal) chain.resolve(Output::normal);
+    if (wanted.id) chain.resolve(Output::id);
+    if (!shaded) return;
+    add_lights(chain, scene, options);
+    chain.resolve(Output::radiance);
+}
+
+uint64_t scene_bytes(const Scene& scene, int64_t distinct, const RenderOptions& options) {
+    const uint64_t pencils = 1 + (options.shadows ? scene.lights.size() : 0);
+    return pencils * static_cast<uint64_t>(distinct) * sizeof(PencilSphere) + scene.spheres.size() * sizeof(Float3);
+}
+
+void check_memory(const Plan& plan, int64_t distinct, const DeviceLimits& limits) {
+    const uint64_t largest = std::max(static_cast<uint64_t>(distinct) * sizeof(PencilSphere),
+                                      static_cast<uint64_t>(plan.tile_blocks) * BLOCK_RAYS * sizeof(Float3));
+    if (largest <= limits.max_alloc_bytes && plan.device_bytes <= limits.global_bytes) return;
+    const auto mib = [](uint64_t bytes) { return std::to_string((bytes >> 20) + 1) + " MiB"; };
+    throw Error(Blame::run,
+                "the scene needs " + mib(plan.device_bytes) + " on the device, " + mib(largest) +
+                    " of it in one buffer; the device offers " + mib(limits.global_bytes) + ", " +
+                    mib(limits.max_alloc_bytes) + " in one buffer",
+                "", "use a device with more memory, or a smaller --tile");
+}
+
+}  // namespace
+
+DeviceLimits::DeviceLimits(const DeviceInfo& info)
+    : cpu(info.type == DeviceType::cpu),
+      native_width_float(info.native_width_float),
+      max_work_group(info.max_work_group),
+      global_bytes(info.global_bytes),
+      max_alloc_bytes(info.max_alloc_bytes),
+      shares_memory(info.shares_memory) {}
+
+const char* to_string(Kernel kernel) {
+    switch (kernel) {
+        case Kernel::generate_rays:
+            return "generate_rays";
+        case Kernel::intersect_closest:
+            return "intersect_closest";
+        case Kernel::intersect_shadow:
+            return "intersect_shadow";
+        case Kernel::shade_light:
+            return "shade_light";
+        case Kernel::resolve:
+            break;
+    }
+    return "resolve";
+}
+
+std::string Variant::options() const {
+    std::string text;
+    for (const std::string& define : defines) text += (text.empty() ? "-D " : " -D ") + define;
+    return text;
+}
+
+int Plan::items(Kernel kernel, const Tile& tile) const {
+    return kernel == Kernel::resolve ? tile.blocks * BLOCK_SIDE : tile.blocks * BLOCK_RAYS / rays_per_item();
+}
+
+bool Plan::uses(Kernel kernel) const {
+    return std::any_of(steps.begin(), steps.end(), [=](const Step& s) { return s.kernel == kernel; });
+}
+
+Plan make_plan(const Scene& scene, int64_t distinct, const RenderOptions& options, const DeviceLimits& limits) {
+    Plan plan;
+    plan.image = scene.image;
+    plan.lanes = choose_lanes(options.lanes, limits);
+    plan.packets = plan.lanes == 1 ? 1 : 4;  // 4 vectors share the load of a sphere; more would spill
+    plan.local_size = static_cast<int>(std::min<uint64_t>(limits.cpu ? 16 : 64, limits.max_work_group));
+    plan.tiles = cut(scene.image, tile_rays(options.tile, limits));
+    plan.spheres = distinct;
+    add_steps(plan, scene, options);
+    for (const Tile& tile : plan.tiles) plan.tile_blocks = std::max(plan.tile_blocks, tile.blocks);
+    const uint64_t plane_bytes =
+        static_cast<uint64_t>(scene.image.width) * static_cast<uint64_t>(scene.image.height) * 4;
+    plan.write_in_place = limits.shares_memory && plane_bytes <= limits.max_alloc_bytes;
+    if (plan.steps.empty()) return plan;
+    plan.device_bytes = scene_bytes(scene, distinct, options) +
+                        static_cast<uint64_t>(tile_sets * plan.tile_blocks) * BLOCK_RAYS * bytes_per_ray;
+    check_memory(plan, distinct, limits);
+    return plan;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,74 @@
+// Scene, options and device limits in; kernel variants, tiles and the chain of launches out. Pure C++: no OpenCL here.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "../cl/types.h"
+#include "render.h"
+
+namespace gnomon {
+
+/// What a plan must know of a device.
+struct DeviceLimits {
+    bool cpu = true;
+    int native_width_float = 16;
+    uint64_t max_work_group = 4096, global_bytes = uint64_t{4} << 30, max_alloc_bytes = uint64_t{1} << 30;
+    bool shares_memory = true;  ///< with the host: the film is written in place
+
+    DeviceLimits() = default;
+    explicit DeviceLimits(const DeviceInfo& info);
+};
+
+enum class Kernel { generate_rays, intersect_closest, intersect_shadow, shade_light, resolve };
+const char* to_string(Kernel kernel);
+
+/// One of the film's outputs, for resolve.
+enum class Output { radiance, distance, normal, id };
+
+/// One way to build one kernel: what -D sets ("LANES=16").
+struct Variant {
+    Kernel kernel;
+    std::vector<std::string> defines;
+
+    std::string options() const;  ///< "-D LANES=16 ..."
+};
+
+/// One launch of every tile's chain; each waits for the one before it.
+struct Step {
+    Kernel kernel;
+    int variant;                       ///< index into Plan::variants
+    int light = -1;                    ///< index into Scene::lights, for the lights' kernels
+    bool first = false;                ///< shade_light: the first light sets the radiance, the others add
+    Output output = Output::radiance;  ///< resolve: what it resolves
+};
+
+struct Plan {
+    ImageSize image;
+    int lanes = 1, packets = 1;     ///< rays a vector, vectors a work-item
+    int local_size = 1;             ///< work-items a group, the same for all launches
+    bool write_in_place = true;     ///< the film's planes are the device's buffers
+    int tile_blocks = 0;            ///< blocks in the largest tile
+    std::vector<Tile> tiles;        ///< covering the image, row by row
+    std::vector<Variant> variants;  ///< the kernels to build: these and no others
+    std::vector<Step> steps;        ///< for each tile, in order; empty when there is nothing to trace
+    int64_t spheres = 0;            ///< distinct ones
+    uint64_t device_bytes = 0;      ///< all buffers together
+
+    int rays_per_item() const { return lanes * packets; }
+    int items(Kernel kernel, const Tile& tile) const;
+    bool uses(Kernel kernel) const;  ///< some step launches it
+};
+
+/// How many tiles are under way at once: one computes while the one before is read back.
+constexpr int tile_sets = 2;
+
+/// Bytes of one ray in a tile's buffers: dir 12, t 4, normal 12, id 4, lit 4, radiance 12.
+constexpr int64_t bytes_per_ray = 48;
+
+/// `distinct` is the number of spheres left when coincident ones count as one. Throws Error(Blame::input) for lanes or
+/// a tile that cannot be, Error(Blame::run) when the scene does not fit the device.
+Plan make_plan(const Scene& scene, int64_t distinct, const RenderOptions& options, const DeviceLimits& limits);
+
+}  // namespace gnomon

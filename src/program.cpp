@@ -1,0 +1,37 @@
+#include "program.h"
+
+#include "clock.h"
+#include "error.h"
+#include "kernel_source.h"
+
+namespace gnomon {
+
+Programs::Programs(const cl::Context& context, const cl::Device& device, const DeviceInfo& info)
+    : context_(context), device_(device), device_name_(info.name) {
+    // Where the device cannot round divide and sqrt correctly, cl/ieee.h corrects them.
+    if (info.correctly_rounded) common_options_ = " -D CORRECTLY_ROUNDED -cl-fp32-correctly-rounded-divide-sqrt";
+}
+
+std::string Programs::key(const Variant& variant) const {
+    return std::string(to_string(variant.kernel)) + " " + variant.options() + common_options_;
+}
+
+const BuiltKernel& Programs::get(const Variant& variant) {
+    const auto known = built_.find(key(variant));
+    if (known != built_.end()) return known->second;
+    const double start = now();
+    const std::string name = to_string(variant.kernel), options = variant.options() + common_options_;
+    cl::Program program(context_, kernel_source(name));
+    try {
+        program.build({device_}, options.c_str());
+    } catch (const cl::Error& error) {
+        throw Error(Blame::run,
+                    "cannot build kernel " + name + " (" + options + "): " + describe(error) + "\n" +
+                        program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_),
+                    device_name_);
+    }
+    const cl::Kernel kernel(program, name.c_str());
+    return built_[key(variant)] = {kernel, options, now() - start};
+}
+
+}  // namespace gnomon

@@ -1,0 +1,140 @@
+#include "render.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "clock.h"
+#include "error.h"
+#include "program.h"
+#include "scheduler.h"
+
+namespace gnomon {
+
+namespace {
+
+cl::CommandQueue make_queue(const cl::Context& context, const cl::Device& device, const DeviceInfo& info) {
+    cl_command_queue_properties properties = CL_QUEUE_PROFILING_ENABLE;
+    if (info.out_of_order) properties |= CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE;
+    return cl::CommandQueue(context, device, properties);
+}
+
+template <class T>
+void fill(Plane<T>& plane, T value) {
+    std::fill(plane.begin(), plane.end(), value);
+}
+
+/// The planes that no step resolves: nothing was hit, or no light shines.
+void fill_untouched(Film& film, const Plan& plan) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    if (!plan.uses(Kernel::shade_light))
+        for (auto& plane : film.radiance) fill(plane, 0.0f);
+    if (!plan.steps.empty()) return;
+    fill(film.distance, infinity);
+    for (auto& plane : film.normal) fill(plane, infinity);
+    fill(film.id, -1);
+}
+
+bool fits(const Film& film, const ImageSize& image, const Outputs& outputs) {
+    return film.width == image.width && film.height == image.height && !film.radiance[0].empty() == outputs.radiance &&
+           !film.distance.empty() == outputs.distance && !film.normal[0].empty() == outputs.normal &&
+           !film.id.empty() == outputs.id;
+}
+
+RenderStats planned(const Plan& plan, const Scene& scene) {
+    RenderStats stats;
+    stats.lanes = plan.lanes;
+    stats.packets = plan.packets;
+    stats.tiles = static_cast<int>(plan.tiles.size());
+    stats.tile_rays = int64_t{plan.tile_blocks} * BLOCK_RAYS;
+    stats.device_bytes = static_cast<int64_t>(plan.device_bytes);
+    stats.pixels = int64_t{plan.image.width} * plan.image.height;
+    stats.spheres = static_cast<int64_t>(scene.spheres.size());
+    stats.lights = static_cast<int64_t>(scene.lights.size());
+    return stats;
+}
+
+/// How often each variant's kernel was given all the hits: once a light.
+int64_t lights_of(const Plan& plan, size_t variant) {
+    return std::count_if(plan.steps.begin(), plan.steps.end(), [&](const Step& step) {
+        return static_cast<size_t>(step.variant) == variant && step.light >= 0;
+    });
+}
+
+}  // namespace
+
+struct Renderer::State {
+    DeviceInfo info;
+    cl::Device device;
+    cl::Context context;
+    cl::CommandQueue queue;
+    Programs programs;
+
+    explicit State(const DeviceInfo& i)
+        : info(i),
+          device(open_device(i)),
+          context(device),
+          queue(make_queue(context, device, i)),
+          programs(context, device, i) {}
+
+    std::vector<cl::Kernel> build(const Plan& plan, RenderStats& stats) {
+        std::vector<cl::Kernel> kernels;
+        for (const Variant& variant : plan.variants) {
+            const bool known = programs.has(variant);
+            const BuiltKernel& built = programs.get(variant);
+            kernels.push_back(built.kernel);
+            stats.kernels.push_back(
+                {to_string(variant.kernel), built.options, known ? 0 : built.build_seconds, 0, 0, 0});
+        }
+        return kernels;
+    }
+
+    void trace(const Plan& plan, const SceneBuffers& buffers, const std::vector<cl::Kernel>& kernels, Film& film,
+               const std::function<void(double)>& progress, RenderStats& stats) {
+        const Measured measured = Scheduler(context, queue, plan, buffers, kernels, film).run(progress);
+        stats.hits = measured.hits;
+        for (size_t i = 0; i < plan.variants.size(); ++i) {
+            KernelStats& kernel = stats.kernels[i];
+            kernel.launches = measured.launches[i];
+            kernel.seconds = measured.seconds[i];
+            const int64_t lights = lights_of(plan, i);
+            kernel.rays = lights > 0 ? lights * measured.hits : stats.pixels;
+        }
+        stats.rays = stats.pixels + (plan.uses(Kernel::intersect_shadow) ? stats.lights * stats.hits : 0);
+    }
+};
+
+Renderer::Renderer(const DeviceInfo& device) try : state_(std::make_unique<State>(device)) {
+} catch (const cl::Error& error) {
+    throw Error(Blame::run, describe(error), device.name);
+}
+
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+RenderStats Renderer::render(const Scene& scene, const RenderOptions& options, Film& film) try {
+    const double start = now();
+    const std::vector<int> ids = distinct_spheres(scene.spheres);
+    const Plan plan = make_plan(scene, static_cast<int64_t>(ids.size()), options, DeviceLimits(state_->info));
+    RenderStats stats = planned(plan, scene);
+    if (!fits(film, scene.image, options.outputs)) film = Film(scene.image.width, scene.image.height, options.outputs);
+    fill_untouched(film, plan);
+    if (plan.steps.empty()) return stats;
+    const double planned_at = now();
+    const std::vector<cl::Kernel> kernels = state_->build(plan, stats);
+    const double built_at = now();
+    const SceneBuffers buffers = upload(state_->context, scene, ids, plan);
+    const double uploaded_at = now();
+    state_->trace(plan, buffers, kernels, film, options.progress, stats);
+    stats.trace_seconds = now() - uploaded_at;
+    stats.prepare_seconds = uploaded_at - built_at + planned_at - start;
+    stats.build_seconds = built_at - planned_at;
+    return stats;
+} catch (const cl::Error& error) {
+    throw Error(Blame::run, describe(error), state_->info.name,
+                "a smaller --size or --tile, or another --device, may help");
+} catch (const std::bad_alloc&) {
+    throw Error(Blame::run, "out of memory", "", "render a smaller --size");
+}
+
+}  // namespace gnomon

@@ -1,0 +1,64 @@
+// The renderer as a library: a device, scenes in, films out.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "device.h"
+#include "film.h"
+#include "scene.h"
+
+namespace gnomon {
+
+struct RenderOptions {
+    Outputs outputs;
+    bool shadows = true;
+    int lanes = 0;                              ///< rays a vector: 1, 4, 8 or 16; 0 lets the plan choose
+    int tile = 0;                               ///< rays a tile, rounded to whole 8 x 8 blocks; 0 lets the plan choose
+    std::function<void(double)> progress = {};  ///< called now and then with the share that is done, 0 to 1
+};
+
+/// What one kernel variant cost. Seconds are the device's own (profiling counters); launches may overlap.
+struct KernelStats {
+    std::string kernel;   ///< its name
+    std::string options;  ///< how it was built, -D and all
+    double build_seconds = 0;
+    int launches = 0;
+    double seconds = 0;
+    int64_t rays = 0;  ///< pixels for the eye's kernels; hits, once for each light, for the lights'
+};
+
+struct RenderStats {
+    int lanes = 0, packets = 0, tiles = 0;
+    int64_t tile_rays = 0, device_bytes = 0;
+    int64_t pixels = 0, hits = 0, spheres = 0, lights = 0;
+    double prepare_seconds = 0;  ///< the spheres as each pencil sees them, and their buffers
+    double build_seconds = 0;    ///< kernels; 0 when they were built before
+    double trace_seconds = 0;    ///< from the first launch to the last value in the film
+    std::vector<KernelStats> kernels;
+
+    /// Eye rays, and one shadow ray for each hit and light when shadows are on.
+    int64_t rays = 0;
+};
+
+/// Renders on one device; keeps its context and the kernels that were built between pictures.
+/// Throws Error(Blame::run) when the device or its compiler fails.
+class Renderer {
+  public:
+    explicit Renderer(const DeviceInfo& device);
+    ~Renderer();
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+
+    /// Renders into `film`, whose memory is reused when size and outputs are those it has.
+    RenderStats render(const Scene& scene, const RenderOptions& options, Film& film);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace gnomon

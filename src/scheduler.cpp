@@ -1,0 +1,202 @@
+#include "scheduler.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace gnomon {
+
+namespace {
+
+// The host runs this many tiles ahead of the device before it waits, so that waiting costs no device time, and progress
+// and memory for events stay bounded.
+constexpr size_t tiles_ahead = 8;
+
+/// Sets all arguments in order.
+template <class... Arguments>
+void set(cl::Kernel& kernel, const Arguments&... arguments) {
+    cl_uint index = 0;
+    (kernel.setArg(index++, arguments), ...);
+}
+
+/// The film's planes behind one output, as 32-bit values.
+std::vector<std::pair<void*, size_t>> planes_of(Film& film, Output output) {
+    std::vector<std::pair<void*, size_t>> planes;
+    const auto add = [&](auto& plane) { planes.emplace_back(plane.data(), plane.bytes()); };
+    switch (output) {
+        case Output::radiance:
+            std::for_each(std::begin(film.radiance), std::end(film.radiance), add);
+            break;
+        case Output::distance:
+            add(film.distance);
+            break;
+        case Output::normal:
+            std::for_each(std::begin(film.normal), std::end(film.normal), add);
+            break;
+        case Output::id:
+            add(film.id);
+            break;
+    }
+    return planes;
+}
+
+double seconds(const cl::Event& event) {
+    return 1e-9 * static_cast<double>(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
+                                      event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
+}
+
+size_t round_up(size_t n, size_t multiple) { return (n + multiple - 1) / multiple * multiple; }
+
+}  // namespace
+
+Scheduler::Scheduler(const cl::Context& context, const cl::CommandQueue& queue, const Plan& plan,
+                     const SceneBuffers& scene, std::vector<cl::Kernel> kernels, Film& film)
+    : context_(context), queue_(queue), plan_(plan), scene_(scene), kernels_(std::move(kernels)), film_(film) {
+    slots_.resize(std::min<size_t>(tile_sets, plan.tiles.size()));
+    for (Slot& slot : slots_) slot.buffers = allocate_tile(context, plan);
+    launched_.resize(plan.tiles.size());
+    measured_.launches.resize(plan.variants.size());
+    measured_.seconds.resize(plan.variants.size());
+    size_t items = 0;
+    for (const Tile& tile : plan.tiles) items += static_cast<size_t>(plan.items(Kernel::intersect_closest, tile));
+    hit_counts_.resize(items);
+    if (!plan.write_in_place) return;
+    for (const Step& step : plan.steps)
+        if (step.kernel == Kernel::resolve)
+            for (const auto& [data, bytes] : planes_of(film, step.output))
+                planes_[static_cast<size_t>(step.output)].emplace_back(context, CL_MEM_WRITE_ONLY | CL_MEM_USE_HOST_PTR,
+                                                                       bytes, data);
+}
+
+Measured Scheduler::run(const std::function<void(double)>& progress) {
+    // Commands under way write into the film and the counts: never leave before they have ended.
+    struct Finish {
+        cl::CommandQueue& queue;
+        ~Finish() { clFinish(queue()); }
+    } finish{queue_};
+    const size_t count = plan_.tiles.size();
+    for (size_t tile = 0; tile < count + tiles_ahead; ++tile) {
+        if (tile < count) enqueue(tile);
+        if (tile < tiles_ahead || tile - tiles_ahead >= count) continue;
+        collect(tile - tiles_ahead);
+        if (progress) progress(static_cast<double>(tile - tiles_ahead + 1) / static_cast<double>(count));
+    }
+    if (plan_.write_in_place) map_film();
+    queue_.finish();
+    measured_.hits = std::accumulate(hit_counts_.begin(), hit_counts_.end(), int64_t{0});
+    return measured_;
+}
+
+void Scheduler::enqueue(size_t index) {
+    const Tile& tile = plan_.tiles[index];
+    Slot& slot = slots_[index % slots_.size()];
+    for (const Step& step : plan_.steps) {
+        launch(step, tile, slot);
+        launched_[index].push_back({step.variant, slot.busy.front()});
+        if (step.kernel == Kernel::intersect_closest) read_hit_counts(tile, slot);
+        if (step.kernel == Kernel::resolve && !plan_.write_in_place) read_planes(step.output, tile, slot);
+    }
+    queue_.flush();
+}
+
+void Scheduler::launch(const Step& step, const Tile& tile, Slot& slot) {
+    cl::Kernel& kernel = kernels_[static_cast<size_t>(step.variant)];
+    set_arguments(kernel, step, tile, slot);
+    const size_t local = static_cast<size_t>(plan_.local_size);
+    const size_t global = round_up(static_cast<size_t>(plan_.items(step.kernel, tile)), local);
+    cl::Event done;
+    queue_.enqueueNDRangeKernel(kernel, cl::NullRange, global, local, &slot.busy, &done);
+    slot.busy = {done};
+}
+
+void Scheduler::set_arguments(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot) {
+    const TileBuffers& b = slot.buffers;
+    const int items = plan_.items(step.kernel, tile);
+    switch (step.kernel) {
+        case Kernel::generate_rays:
+            return set(kernel, scene_.eye, tile, items, b.dirs);
+        case Kernel::intersect_closest:
+            return set(kernel, b.dirs, scene_.spheres, scene_.sphere_count, items, b.ts, b.normals, b.ids,
+                       b.hit_counts);
+        case Kernel::intersect_shadow:
+        case Kernel::shade_light:
+            return set_light_arguments(kernel, step, slot, items);
+        case Kernel::resolve:
+            return set_resolve_arguments(kernel, step, tile, slot);
+    }
+}
+
+void Scheduler::set_light_arguments(cl::Kernel& kernel, const Step& step, const Slot& slot, int items) {
+    const TileBuffers& b = slot.buffers;
+    const LightBuffers& light = scene_.lights[static_cast<size_t>(step.light)];
+    const int first = step.first ? 1 : 0;
+    const auto with = [&](const auto& pencil) {
+        if (step.kernel == Kernel::intersect_shadow)
+            set(kernel, b.dirs, b.ts, b.normals, b.ids, light.spheres, scene_.sphere_count, pencil, items, b.lit);
+        else
+            set(kernel, b.dirs, b.ts, b.normals, b.ids, b.lit, scene_.albedos, pencil, light.phi, first, items,
+                b.radiance);
+    };
+    std::visit(with, light.pencil);
+}
+
+void Scheduler::set_resolve_arguments(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot) {
+    const TileBuffers& b = slot.buffers;
+    const cl::Buffer* const sources[] = {&b.radiance, &b.ts, &b.normals, &b.ids};
+    const bool in_place = plan_.write_in_place;
+    const auto output = static_cast<size_t>(step.output);
+    const int components = step.output == Output::radiance || step.output == Output::normal ? 3 : 1;
+    const auto plane = [&](size_t c) -> const cl::Buffer& {
+        return in_place ? planes_[output][std::min(c, planes_[output].size() - 1)] : b.planes[c];
+    };
+    set(kernel, *sources[output], components, tile, film_.width, film_.height, in_place ? 0 : tile.x,
+        in_place ? 0 : tile.y, in_place ? film_.width : tile.blocks_x * BLOCK_SIDE, plan_.items(step.kernel, tile),
+        plane(0), plane(1), plane(2));
+}
+
+void Scheduler::read_hit_counts(const Tile& tile, Slot& slot) {
+    const auto items = static_cast<size_t>(plan_.items(Kernel::intersect_closest, tile));
+    cl::Event done;
+    queue_.enqueueReadBuffer(slot.buffers.hit_counts, CL_FALSE, 0, items * sizeof(int),
+                             hit_counts_.data() + hit_counts_used_, &slot.busy, &done);
+    hit_counts_used_ += items;
+    slot.busy.push_back(done);
+}
+
+void Scheduler::read_planes(Output output, const Tile& tile, Slot& slot) {
+    const auto x = static_cast<size_t>(tile.x), y = static_cast<size_t>(tile.y), value = sizeof(float);
+    const auto tile_width = static_cast<size_t>(tile.blocks_x) * BLOCK_SIDE, width = static_cast<size_t>(film_.width);
+    const auto tile_height = static_cast<size_t>(tile.blocks / tile.blocks_x) * BLOCK_SIDE;
+    const std::array<size_t, 3> region{std::min(tile_width, width - x) * value,
+                                       std::min(tile_height, static_cast<size_t>(film_.height) - y), 1};
+    const std::vector<cl::Event> resolved = slot.busy;
+    size_t c = 0;
+    for (const auto& [data, bytes] : planes_of(film_, output)) {
+        cl::Event done;
+        queue_.enqueueReadBufferRect(slot.buffers.planes[c++], CL_FALSE, {0, 0, 0}, {x * value, y, 0}, region,
+                                     tile_width * value, 0, width * value, 0, data, &resolved, &done);
+        slot.busy.push_back(done);
+    }
+}
+
+/// Waits for a tile and adds up what its launches took.
+void Scheduler::collect(size_t tile) {
+    launched_[tile].back().event.wait();
+    for (const Launched& l : launched_[tile]) {
+        measured_.launches[static_cast<size_t>(l.variant)] += 1;
+        measured_.seconds[static_cast<size_t>(l.variant)] += seconds(l.event);
+    }
+    launched_[tile].clear();
+}
+
+/// A buffer over host memory shows its values there once it is mapped (OpenCL 1.2, 5.2.1); on a device that shares the
+/// memory that copies nothing.
+void Scheduler::map_film() {
+    queue_.finish();
+    for (const auto& planes : planes_)
+        for (const cl::Buffer& plane : planes) {
+            const size_t bytes = plane.getInfo<CL_MEM_SIZE>();
+            queue_.enqueueUnmapMemObject(plane, queue_.enqueueMapBuffer(plane, CL_TRUE, CL_MAP_READ, 0, bytes));
+        }
+}
+
+}  // namespace gnomon

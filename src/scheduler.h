@@ -1,0 +1,66 @@
+// Runs a plan: tiles through the chain of kernels, several at once, chained by events.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "buffers.h"
+#include "film.h"
+#include "opencl.h"
+#include "plan.h"
+
+namespace gnomon {
+
+/// What a run measured: for each variant of the plan launches and device seconds, and how many eye rays hit.
+struct Measured {
+    std::vector<int> launches;
+    std::vector<double> seconds;
+    int64_t hits = 0;
+};
+
+/// One run of one plan. The film must have the plan's size and the planes that its steps resolve.
+class Scheduler {
+  public:
+    /// `kernels` are the plan's variants, built.
+    Scheduler(const cl::Context& context, const cl::CommandQueue& queue, const Plan& plan, const SceneBuffers& scene,
+              std::vector<cl::Kernel> kernels, Film& film);
+
+    /// Launches everything and waits for it; the film is then complete.
+    Measured run(const std::function<void(double)>& progress);
+
+  private:
+    /// A tile under way: its buffers, and the events after which they are free.
+    struct Slot {
+        TileBuffers buffers;
+        std::vector<cl::Event> busy;
+    };
+    struct Launched {
+        int variant;
+        cl::Event event;
+    };
+
+    void enqueue(size_t tile);
+    void launch(const Step& step, const Tile& tile, Slot& slot);
+    void set_arguments(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot);
+    void set_light_arguments(cl::Kernel& kernel, const Step& step, const Slot& slot, int items);
+    void set_resolve_arguments(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot);
+    void read_hit_counts(const Tile& tile, Slot& slot);
+    void read_planes(Output output, const Tile& tile, Slot& slot);
+    void collect(size_t tile);
+    void map_film();
+
+    cl::Context context_;
+    cl::CommandQueue queue_;
+    const Plan& plan_;
+    const SceneBuffers& scene_;
+    std::vector<cl::Kernel> kernels_;
+    Film& film_;
+    std::vector<cl::Buffer> planes_[4];  // for each output, when the film is written in place
+    std::vector<Slot> slots_;
+    std::vector<std::vector<Launched>> launched_;  // for each tile
+    std::vector<int> hit_counts_;                  // for each work-item of intersect_closest, tile after tile
+    size_t hit_counts_used_ = 0;
+    Measured measured_;
+};
+
+}  // namespace gnomon

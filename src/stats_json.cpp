@@ -1,0 +1,107 @@
+#include "stats_json.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+
+#include "error.h"
+
+namespace gnomon {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double mrays_per_second(int64_t rays, double seconds) {
+    return seconds > 0 ? 1e-6 * static_cast<double>(rays) / seconds : 0;
+}
+
+Json to_json(const KernelStats& k) {
+    return {{"kernel", k.kernel},
+            {"options", k.options},
+            {"build_seconds", k.build_seconds},
+            {"launches", k.launches},
+            {"seconds", k.seconds},
+            {"rays", k.rays},
+            {"mrays_per_second", mrays_per_second(k.rays, k.seconds)}};
+}
+
+Json to_json(const Check& c) {
+    return {{"reference", "double precision, every sphere against every ray; maxima over the sampled pixels"},
+            {"pixels", c.pixels},
+            {"wrong_ids", c.wrong_ids},
+            {"flips", c.flips},
+            {"max_radiance_error", c.max_radiance},
+            {"max_distance_error", c.max_distance}};
+}
+
+}  // namespace
+
+Json to_json(const DeviceInfo& d) {
+    return {{"number", d.number()},
+            {"type", to_string(d.type)},
+            {"name", d.name},
+            {"platform", d.platform_name},
+            {"version", d.version},
+            {"driver", d.driver},
+            {"compute_units", d.compute_units},
+            {"native_width_float", d.native_width_float},
+            {"max_work_group", d.max_work_group},
+            {"global_bytes", d.global_bytes},
+            {"max_alloc_bytes", d.max_alloc_bytes},
+            {"correctly_rounded", d.correctly_rounded},
+            {"double", d.fp64},
+            {"out_of_order", d.out_of_order},
+            {"shares_memory", d.shares_memory}};
+}
+
+Json to_json(const RunStats& run, const Scene& scene, const DeviceInfo& device) {
+    const RenderStats& r = run.render;
+    Json json;
+    json["program"] = "gnomon " GNOMON_VERSION;
+    json["device"] = to_json(device);
+    json["scene"] = {{"file", run.scene_path}, {"sha1", scene.sha1}, {"spheres", r.spheres}, {"lights", r.lights}};
+    json["image"] = {{"width", scene.image.width}, {"height", scene.image.height}};
+    json["plan"] = {{"lanes", r.lanes},
+                    {"packets", r.packets},
+                    {"tile_rays", r.tile_rays},
+                    {"tiles", r.tiles},
+                    {"device_bytes", r.device_bytes}};
+    json["seconds"] = {{"load", run.load_seconds},     {"device", run.device_seconds}, {"build", r.build_seconds},
+                       {"prepare", r.prepare_seconds}, {"trace", r.trace_seconds},     {"write", run.write_seconds},
+                       {"check", run.check_seconds}};
+    json["rays"] = r.rays;
+    json["hits"] = r.hits;
+    json["mrays_per_second"] = mrays_per_second(r.rays, r.trace_seconds);
+    json["error"] = to_json(run.check);
+    json["kernels"] = Json::array();
+    for (const KernelStats& kernel : r.kernels) json["kernels"].push_back(to_json(kernel));
+    return json;
+}
+
+std::string summary(const RunStats& run, const DeviceInfo& device, const ImageSize& image) {
+    const RenderStats& r = run.render;
+    const Check& c = run.check;
+    return fmt::format(
+        "{}: {}x{}, {} spheres, {} lights; load {:.3f} s, device {:.3f}, build {:.3f}, prepare {:.3f}, trace {:.3f}, "
+        "write "
+        "{:.3f}; {:.0f} Mrays/s, of {} pixels {} wrong, else within {:.1e} of double",
+        device.name, image.width, image.height, r.spheres, r.lights, run.load_seconds, run.device_seconds,
+        r.build_seconds, r.prepare_seconds, r.trace_seconds, run.write_seconds,
+        mrays_per_second(r.rays, r.trace_seconds), c.pixels, std::max(c.wrong_ids, c.flips),
+        std::max(c.max_radiance, c.max_distance));
+}
+
+void write_text(const std::string& path, const std::string& text) {
+    const std::string temporary = path + "." + std::to_string(getpid()) + ".tmp";
+    std::ofstream out(temporary, std::ios::binary);
+    out << text;
+    out.close();
+    if (out && std::rename(temporary.c_str(), path.c_str()) == 0) return;
+    std::remove(temporary.c_str());
+    throw Error(Blame::run, "cannot write the file", path, "does its folder exist, and is there room?");
+}
+
+}  // namespace gnomon

@@ -1,0 +1,69 @@
+#include "scenes.h"
+
+#include <cstdint>
+
+namespace bench {
+
+namespace {
+
+using namespace gnomon;
+
+/// splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014); 24 bits a draw.
+class Random {
+  public:
+    explicit Random(uint64_t seed) : state_(seed) {}
+    double in(double low, double high) { return low + (high - low) * static_cast<double>(next() >> 40) / 16777216.0; }
+
+  private:
+    uint64_t next() {
+        uint64_t z = (state_ += 0x9E3779B97F4A7C15u);
+        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+        z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+        return z ^ (z >> 31);
+    }
+    uint64_t state_;
+};
+
+Light directional(Vec3 direction, double e) { return DirectionalLight{direction, {e, e, e}}; }
+Light point(Vec3 position, double p) { return PointLight{position, {p, p, p}}; }
+
+const Sphere ground{{0, -1000, 0}, 1000, {0.5, 0.5, 0.5}};
+
+Scene four() {
+    Scene scene;
+    scene.image = {1920, 1080};
+    scene.camera = {{0, 2.5, -9}, {0, 1, 0}, {0, 1, 0}, 40};
+    scene.spheres = {ground,
+                     {{-2.2, 1, 0.5}, 1, {0.9, 0.2, 0.2}},
+                     {{0, 1.2, 0}, 1.2, {0.2, 0.9, 0.2}},
+                     {{2, 0.8, -1}, 0.8, {0.2, 0.3, 0.9}}};
+    scene.lights = {directional({1, 2, -1.5}, 1.5), point({-4, 5, -4}, 500)};
+    return scene;
+}
+
+Scene hundred() {
+    Scene scene;
+    scene.image = {1920, 1080};
+    scene.camera = {{0, 4, -20}, {0, 2, 0}, {0, 1, 0}, 40};
+    scene.spheres = {ground};
+    Random random(100);
+    while (scene.spheres.size() < 100) {
+        Sphere s;
+        s.center.x = random.in(-8, 8);
+        s.center.y = random.in(0.3, 5);
+        s.center.z = random.in(-8, 8);
+        s.radius = random.in(0.2, 0.7);
+        s.albedo.r = random.in(0.2, 0.9);
+        s.albedo.g = random.in(0.2, 0.9);
+        s.albedo.b = random.in(0.2, 0.9);
+        scene.spheres.push_back(s);
+    }
+    scene.lights = {directional({1, 2, -1.5}, 1), directional({-2, 1.5, 0.5}, 0.6), point({0, 9, -6}, 1200)};
+    return scene;
+}
+
+}  // namespace
+
+std::vector<NamedScene> scenes() { return {{"S4", four()}, {"S100", hundred()}}; }
+
+}  // namespace bench
