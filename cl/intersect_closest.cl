@@ -2,49 +2,69 @@
 //
 // Reads dirs (block order, 3 a ray) and the spheres as the eye sees them, ascending in id. Writes per ray t, the
 // outward unit normal and the id (a miss: +inf, (inf, inf, inf), -1), and per work-item how many of its rays hit. One
-// work-item: PACKETS * LANES neighbouring rays of a block against all spheres.
+// work-item: PACKETS * LANES neighbouring rays of a block against the spheres that their fat ray may meet.
+#include "fat_ray.h"
 #include "sphere.h"
 
-kernel void intersect_closest(global const float* restrict dirs, global const PencilSphere* restrict spheres,
+// The closest hit so far.
+typedef struct {
+    floatw t;
+    intw id;
+    vec3w center;
+} Hit;
+
+static inline void intersect(PencilSphere s, vec3w dir, Hit* hit) {
+    const floatw b = dot_f(s.center, dir);
+    const floatw discriminant = sphere_discriminant(s, dir, b);
+    const intw meets = sphere_meets(s, b, discriminant);
+    if (!any_lane(meets)) return;
+    const floatw t = sphere_root(s, b, discriminant);
+    // Strictly closer: ids ascend, so of equal distances the lowest id stays.
+    const intw closer = meets & (t > 0.0f) & (t < hit->t);
+    hit->t = closer ? t : hit->t;
+    hit->id = closer ? (intw)(s.id) : hit->id;
+    hit->center = select_w(closer, broadcast(s.center), hit->center);
+}
+
+static inline vec3w outward_normal(Hit hit, vec3w dir) {
+    const vec3w out = fma_w(hit.t, dir, (vec3w){-hit.center.x, -hit.center.y, -hit.center.z});
+    const vec3w infinite = {wide(INFINITY), wide(INFINITY), wide(INFINITY)};
+    return select_w(hit.id >= 0, scale_w(divide(wide(1.0f), square_root(dot_w(out, out))), out), infinite);
+}
+
+kernel void intersect_closest(global const float* restrict dirs, global const SphereCluster* restrict clusters,
                               const int sphere_count, const int items, global float* restrict ts,
                               global float* restrict normals, global int* restrict ids,
                               global int* restrict hit_counts) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
-    vec3w dir[PACKETS], center[PACKETS];  // center: of the closest sphere so far
-    floatw t[PACKETS];
-    intw id[PACKETS];
+    vec3w dir[PACKETS];
+    Hit hit[PACKETS];
     FOR_PACKETS(k) {
         dir[k] = load_3(dirs, item, k);
-        center[k] = (vec3w){wide(0.0f), wide(0.0f), wide(0.0f)};
-        t[k] = wide(INFINITY);
-        id[k] = (intw)(-1);
+        hit[k] = (Hit){wide(INFINITY), (intw)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}};
     }
-    for (int i = 0; i < sphere_count; ++i) {
-        const PencilSphere s = spheres[i];
-        FOR_PACKETS(k) {
-            const floatw b = dot_f(s.center, dir[k]);
-            const floatw discriminant = sphere_discriminant(s, dir[k], b);
-            const intw meets = sphere_meets(s, b, discriminant);
-            if (!any_lane(meets)) continue;
-            const floatw root = sphere_root(s, b, discriminant);
-            // Strictly closer: ids ascend, so of equal distances the lowest id stays.
-            const intw closer = meets & (root > 0.0f) & (root < t[k]);
-            t[k] = closer ? root : t[k];
-            id[k] = closer ? (intw)(s.id) : id[k];
-            center[k] = select_w(closer, broadcast(s.center), center[k]);
+#if LANES > 1
+    intw valid[PACKETS];
+    FOR_PACKETS(k) valid[k] = dir[k].x == dir[k].x;  // pixels outside the image are NaN
+    const FatRay fat = fat_ray(dir, valid);
+#endif
+    for (int c = 0; c * CLUSTER < sphere_count; ++c) {
+        int rest = spheres_in_cluster(c, sphere_count);
+#if LANES > 1
+        rest &= candidates(fat, clusters + c);
+#endif
+        for (; rest; rest &= rest - 1) {
+            const PencilSphere s = sphere_of(clusters + c, lowest_bit(rest));
+            FOR_PACKETS(k) intersect(s, dir[k], &hit[k]);
         }
     }
     intw hits = 0;
     FOR_PACKETS(k) {
-        const intw hit = id[k] >= 0;
-        const vec3w outward = fma_w(t[k], dir[k], (vec3w){-center[k].x, -center[k].y, -center[k].z});
-        const floatw scale = divide(wide(1.0f), square_root(dot_w(outward, outward)));
-        const vec3w infinite = {wide(INFINITY), wide(INFINITY), wide(INFINITY)};
-        store_f(t[k], ts, item, k);
-        store_3(select_w(hit, scale_w(scale, outward), infinite), normals, item, k);
-        store_i(id[k], ids, item, k);
-        hits += hit ? (intw)(1) : (intw)(0);
+        store_f(hit[k].t, ts, item, k);
+        store_3(outward_normal(hit[k], dir[k]), normals, item, k);
+        store_i(hit[k].id, ids, item, k);
+        hits += hit[k].id >= 0 ? (intw)(1) : (intw)(0);
     }
-    hit_counts[item] = sum_lanes(hits);
+    hit_counts[item] = REDUCE(count, hits);
 }

@@ -36,38 +36,39 @@ typedef CONCAT(int, LANES) intw;
 #define wide(x) ((floatw)(x))
 #define FOR_PACKETS(k) _Pragma("unroll") for (int k = 0; k < PACKETS; ++k)
 
-// Reductions over the lanes by halves: the any() builtin, and horizontal builtins in general, compile to scalar code on
-// PoCL.
-static inline int or_of_2(int2 v) { return v.x | v.y; }
-static inline int or_of_4(int4 v) { return or_of_2(v.lo | v.hi); }
-static inline int or_of_8(int8 v) { return or_of_4(v.lo | v.hi); }
-static inline int or_of_16(int16 v) { return or_of_8(v.lo | v.hi); }
-static inline int max_of_2(int2 v) { return v.x > v.y ? v.x : v.y; }
-static inline int max_of_4(int4 v) { return max_of_2(v.lo > v.hi ? v.lo : v.hi); }
-static inline int max_of_8(int8 v) { return max_of_4(v.lo > v.hi ? v.lo : v.hi); }
-static inline int max_of_16(int16 v) { return max_of_8(v.lo > v.hi ? v.lo : v.hi); }
-static inline int sum_of_2(int2 v) { return v.x + v.y; }
-static inline int sum_of_4(int4 v) { return sum_of_2(v.lo + v.hi); }
-static inline int sum_of_8(int8 v) { return sum_of_4(v.lo + v.hi); }
-static inline int sum_of_16(int16 v) { return sum_of_8(v.lo + v.hi); }
+// Reductions over the lanes, by halves: the any() builtin, and horizontal builtins in general, compile to scalar code
+// on PoCL.
+#define REDUCE_BY_HALVES(name, type, combine)                                                              \
+    static inline type name##_of_2(CONCAT(type, 2) v) { return combine(v.x, v.y); }                        \
+    static inline type name##_of_4(CONCAT(type, 4) v) { return CONCAT(name, _of_2)(combine(v.lo, v.hi)); } \
+    static inline type name##_of_8(CONCAT(type, 8) v) { return CONCAT(name, _of_4)(combine(v.lo, v.hi)); } \
+    static inline type name##_of_16(CONCAT(type, 16) v) { return CONCAT(name, _of_8)(combine(v.lo, v.hi)); }
+#define OR(a, b) ((a) | (b))
+#define PLUS(a, b) ((a) + (b))
+#define LESS(a, b) ((a) < (b) ? (a) : (b))  // the second where one is NaN
+#define MORE(a, b) ((a) > (b) ? (a) : (b))
+REDUCE_BY_HALVES(or, int, OR)
+REDUCE_BY_HALVES(count, int, PLUS)
+REDUCE_BY_HALVES(highest, int, MORE)
+REDUCE_BY_HALVES(sum, float, PLUS)
+REDUCE_BY_HALVES(least, float, LESS)
+REDUCE_BY_HALVES(most, float, MORE)
 
 #if LANES == 1
-static inline int any_lane(intw mask) { return mask; }
-static inline int max_lane(intw v) { return v; }
-static inline int sum_lanes(intw v) { return v; }
+#define REDUCE(name, v) (v)
 #else
-#if defined(__has_builtin)
+#define REDUCE(name, v) CONCAT(name##_of_, LANES)(v)
+#endif
+
+#if defined(__has_builtin) && LANES > 1
 #if __has_builtin(__builtin_reduce_or)
-#define GNOMON_REDUCE_OR
+#define HAS_REDUCE_OR
 #endif
 #endif
-#ifdef GNOMON_REDUCE_OR
+#ifdef HAS_REDUCE_OR
 static inline int any_lane(intw mask) { return __builtin_reduce_or(mask); }
 #else
-static inline int any_lane(intw mask) { return CONCAT(or_of_, LANES)(mask); }
-#endif
-static inline int max_lane(intw v) { return CONCAT(max_of_, LANES)(v); }
-static inline int sum_lanes(intw v) { return CONCAT(sum_of_, LANES)(v); }
+static inline int any_lane(intw mask) { return REDUCE(or, mask); }
 #endif
 
 // Three components of LANES rays.
@@ -88,10 +89,11 @@ static inline vec3w select_w(intw mask, vec3w a, vec3w b) {
     return (vec3w){mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
 }
 
-// Where packet k of work-item `item` finds component c of n in a block-ordered buffer.
+// Where packet k of work-item `item` finds component c of n in a block-ordered buffer. Unsigned, so that dividing by
+// powers of two is shifting.
 static inline size_t lane_address(int item, int k, int c, int n) {
-    const int ray = (item * PACKETS + k) * LANES;
-    return (size_t)(ray / BLOCK_RAYS * n + c) * BLOCK_RAYS + (size_t)(ray % BLOCK_RAYS);
+    const uint first = (uint)item * (LANES * PACKETS);
+    return (size_t)(first / BLOCK_RAYS * (uint)n + (uint)c) * BLOCK_RAYS + first % BLOCK_RAYS + (uint)(k * LANES);
 }
 
 static inline floatw load_f(global const float* p, int item, int k) {

@@ -4,6 +4,7 @@
 #ifndef GNOMON_PARALLEL_PENCIL_H
 #define GNOMON_PARALLEL_PENCIL_H
 
+#include "cluster.h"
 #include "ieee.h"
 
 typedef ParallelPencil LightPencil;
@@ -39,5 +40,45 @@ static inline intw occludes(PencilSphere s, ShadowRay ray) {
     const floatw discriminant = fma(-x, x, fma(-y, y, wide(s.r2)));
     return (discriminant >= 0.0f) & ((ahead > 0.0f) | (ahead * ahead < discriminant));
 }
+
+#if LANES > 1
+
+// All shadow rays of a work-item: across the light no wider than this rectangle, and none starts behind `back`.
+typedef struct {
+    float x0, x1, y0, y1, back;
+} FatShadowRay;
+
+// `open` says which of the rays count.
+static inline FatShadowRay fat_shadow_ray(const ShadowRay* ray, const intw* open) {
+    floatw x0 = wide(INFINITY), x1 = -x0, y0 = x0, y1 = -x0, back = x0;
+    FOR_PACKETS(k) {
+        const vec3w from = ray[k].from;
+        x0 = LESS(open[k] ? from.x : x0, x0);
+        x1 = MORE(open[k] ? from.x : x1, x1);
+        y0 = LESS(open[k] ? from.y : y0, y0);
+        y1 = MORE(open[k] ? from.y : y1, y1);
+        back = LESS(open[k] ? from.z : back, back);
+    }
+    return (FatShadowRay){REDUCE(least, x0), REDUCE(most, x1), REDUCE(least, y0), REDUCE(most, y1),
+                          REDUCE(least, back)};
+}
+
+// Which spheres of a cluster may occlude one of the rays. occludes() compares differences of the very numbers that are
+// compared here; it rounds each three times at most, by less than 8 u r, and the sums here round once, by u (|f| + r).
+// The sphere's reach, r + 32 u |f| with r < |f| (fat_ray.h), holds both. A sphere that looks large has an infinite
+// reach.
+static inline int shadow_candidates(FatShadowRay fat, global const SphereCluster* c) {
+    int kept = 0;
+    for (int first = 0; first < CLUSTER; first += LANES) {
+        const floatw x = cluster_lanes(c->x, first), y = cluster_lanes(c->y, first), z = cluster_lanes(c->z, first);
+        const floatw reach = cluster_lanes(c->reach, first);
+        const intw misses = (x - reach > fat.x1) | (x + reach < fat.x0) | (y - reach > fat.y1) | (y + reach < fat.y0) |
+                            (z + reach < fat.back);
+        kept |= lane_bits(!misses) << first;
+    }
+    return kept;
+}
+
+#endif
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef GNOMON_POINT_PENCIL_H
 #define GNOMON_POINT_PENCIL_H
 
+#include "fat_ray.h"
 #include "sphere.h"
 
 typedef PointPencil LightPencil;
@@ -50,5 +51,26 @@ static inline intw occludes(PencilSphere s, ShadowRay ray) {
     const intw inside = (power > 0.0f) & ((b > 0.0f) | (wide(s.power) < 0.0f));
     return wide(s.power) > 0.0f ? outside : inside;
 }
+
+#if LANES > 1
+
+// All shadow rays of a work-item leave the light: see fat_ray.h.
+typedef FatRay FatShadowRay;
+
+static inline FatShadowRay fat_shadow_ray(const ShadowRay* ray, const intw* open) {
+    vec3w dir[PACKETS];
+    floatw farthest = wide(0.0f);
+    FOR_PACKETS(k) {
+        dir[k] = ray[k].dir;
+        farthest = MORE(open[k] ? ray[k].distance : farthest, farthest);
+    }
+    FatRay fat = fat_ray(dir, open);
+    fat.distance = wide(REDUCE(most, farthest));
+    return fat;
+}
+
+static inline int shadow_candidates(FatShadowRay fat, global const SphereCluster* c) { return candidates(fat, c); }
+
+#endif
 
 #endif

@@ -11,7 +11,7 @@
 // The albedo of LANES ids by a loop over the distinct ones, of which neighbours have few: gathers are slower.
 static inline vec3w albedo_of(global const Float3* restrict albedos, intw id, intw wanted) {
     vec3w albedo = {wide(0.0f), wide(0.0f), wide(0.0f)};
-    for (int next; (next = max_lane(wanted ? id : (intw)(-1))) >= 0;) {
+    for (int next; (next = REDUCE(highest, wanted ? id : (intw)(-1))) >= 0;) {
         const intw same = id == next;
         albedo = select_w(same, broadcast(albedos[next]), albedo);
         wanted = wanted & !same;

@@ -15,6 +15,7 @@
 #ifndef GNOMON_SPHERE_H
 #define GNOMON_SPHERE_H
 
+#include "cluster.h"
 #include "ieee.h"
 
 static inline floatw sphere_discriminant(PencilSphere s, vec3w dir, floatw b) {

@@ -24,15 +24,18 @@ typedef struct {
     float x, y, z;
 } Float3;
 
-// A sphere as one pencil sees it, computed in double and rounded once.
+// Spheres as one pencil sees them, 16 at a time, computed in double and rounded once. Places that no sphere fills have
+// reach -1 and distance 0.
+#define CLUSTER 16
 typedef struct {
-    Float3 center;  // from the pencil's apex; for a parallel pencil in its basis (u, v, dir), from the eye
-    float r2;       // radius^2
-    float power;    // |center|^2 - radius^2, the power of the apex (the eye, for a parallel pencil): < 0 inside
-    int form;       // FORM_SMALL or FORM_LARGE
-    int id;         // index in the scene
-    int padding;    // to 32 bytes
-} PencilSphere;
+    float x[CLUSTER], y[CLUSTER],
+        z[CLUSTER];        // centre from the pencil's apex; for a parallel pencil from the eye, in its basis
+    float r2[CLUSTER];     // radius^2
+    float power[CLUSTER];  // |centre|^2 - r^2, the power of the apex (parallel: of the eye): < 0 inside
+    float distance[CLUSTER], reach[CLUSTER];  // |centre| and the radius, both rounded up and out: see fat_ray.h
+    int form[CLUSTER];                        // FORM_SMALL or FORM_LARGE
+    int id[CLUSTER];                          // index in the scene
+} SphereCluster;
 
 // Rays from the eye: pixel (i, j) looks along forward + (2i + 1 - width) right + (height - 1 - 2j) up.
 typedef struct {
@@ -59,7 +62,7 @@ typedef struct {
 } Tile;
 
 typedef char assert_size_of_Float3[sizeof(Float3) == 12 ? 1 : -1];
-typedef char assert_size_of_PencilSphere[sizeof(PencilSphere) == 32 ? 1 : -1];
+typedef char assert_size_of_SphereCluster[sizeof(SphereCluster) == 9 * 4 * CLUSTER ? 1 : -1];
 typedef char assert_size_of_EyePencil[sizeof(EyePencil) == 44 ? 1 : -1];
 typedef char assert_size_of_ParallelPencil[sizeof(ParallelPencil) == 36 ? 1 : -1];
 typedef char assert_size_of_PointPencil[sizeof(PointPencil) == 12 ? 1 : -1];

@@ -1,3 +1,4 @@
+// The sRGB curve, its table, and the four views.
 #include "display.h"
 
 #include <algorithm>

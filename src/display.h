@@ -14,7 +14,7 @@ namespace gnomon {
 /// Linear red, green, blue of a picture's pixel; what lies outside [0, 1] is clipped.
 using LinearColour = std::array<float, 3>;
 
-/// The sRGB encoding of linear light in [0, 1]: IEC 61966-2-1:1999, 5.2 with the constants of its amendment 1.
+/// The sRGB encoding of linear light in [0, 1]: IEC 61966-2-1:1999, a straight part and a power.
 double srgb_encode(double linear);
 
 /// Its inverse, for codes in [0, 1].

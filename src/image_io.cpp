@@ -1,3 +1,4 @@
+// Films to image files, through OpenImageIO 2.4 or 2.5.
 #include "image_io.h"
 
 #include <OpenImageIO/filesystem.h>
@@ -97,18 +98,21 @@ std::string file_time() {
 }
 
 /// One of OpenImageIO's writers, putting its bytes into a sink. Every step throws when it fails.
+/// Only TIFF's goes by the file's name: it reads its file again to add Exif data (the colour space is among it), which
+/// no sink lets it do, and the file would be broken; and it does notice when a write fails.
 class Output {
   public:
-    Output(const std::string& path, IOProxy& sink)
+    Output(const std::string& path, const TemporaryFile& file, IOProxy& sink)
         : path_(path),
+          file_(file.path()),
           // Asked for by the extension alone: in a whole name OpenImageIO would read options after a '?'.
           writer_(OIIO::ImageOutput::create(fs::path(path).extension().string().substr(1))) {
         const std::string ignored = OIIO::geterror();  // what nobody fetches is printed when the program ends
-        if (!writer_ || !writer_->set_ioproxy(&sink))
+        if (!writer_ || !(is("tiff") || writer_->set_ioproxy(&sink)))
             throw Error(Blame::run, "this image format cannot be written", path, common_formats);
     }
 
-    void open(const ImageSpec& spec) { require(writer_->open(path_, spec)); }
+    void open(const ImageSpec& spec) { require(writer_->open(file_, spec)); }
     void write_rows(int from, int to, TypeDesc type, const void* values) {
         require(writer_->write_scanlines(from, to, 0, type, values));
     }
@@ -124,7 +128,7 @@ class Output {
         if (!done || !message.empty()) throw Error(Blame::run, writing_failed, path_, message);
     }
 
-    std::string path_;
+    std::string path_, file_;
     std::unique_ptr<OIIO::ImageOutput> writer_;
 };
 
@@ -204,7 +208,7 @@ void write_exr(const Film& film, const std::string& path, const Metadata& metada
     std::vector<unsigned char> pixels(row_size * static_cast<size_t>(std::min(chunk, film.height)));
 
     OIIO::Filesystem::IOFile sink(file.stream(), IOProxy::Write);
-    Output out(path, sink);
+    Output out(path, file, sink);
     out.open(exr_spec(film, channels, metadata));
     for (int from = 0; from < film.height; from += chunk) {
         const int to = std::min(from + chunk, film.height);
@@ -231,7 +235,7 @@ void write_display(const Film& film, const std::string& path, const Display& dis
     const DisplayImage image(film, display);
     const TypeDesc type = display.bits == 8 ? TypeDesc::UINT8 : TypeDesc::UINT16;
     OIIO::Filesystem::IOVecOutput memory;
-    Output out(path, memory);
+    Output out(path, file, memory);
     ImageSpec spec = make_spec(film, 3, type, metadata);
     spec.attribute("oiio:ColorSpace", "sRGB");
     spec.attribute("png:compressionLevel", png_compression);

@@ -2,8 +2,9 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstring>
+#include <limits>
 #include <unordered_set>
+#include <utility>
 
 namespace gnomon {
 
@@ -14,26 +15,52 @@ constexpr double pi = 3.14159265358979323846;
 Float3 rounded(const Vec3& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 Vec3 widened(const Float3& v) { return {v.x, v.y, v.z}; }
 
-/// A sphere whose centre lies at `center` from the pencil's apex.
-PencilSphere seen(const Vec3& center, double radius, int id) {
-    const double distance = length(center);
-    PencilSphere s{};
-    s.center = rounded(center);
-    s.r2 = static_cast<float>(radius * radius);
-    s.power = static_cast<float>((distance - radius) * (distance + radius));
-    s.form = radius * radius < distance * distance / 2 ? FORM_SMALL : FORM_LARGE;
-    s.id = id;
-    return s;
+/// The smallest float that is not below v, give or take the rounding of v itself (2^-53, far inside the bounds of
+/// fat_ray.h).
+float rounded_up(double v) {
+    const float f = static_cast<float>(v);
+    return f < v ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
 }
 
-std::vector<PencilSphere> spheres_from(const Vec3& apex, const Scene& scene, const std::vector<int>& ids) {
-    std::vector<PencilSphere> result;
-    result.reserve(ids.size());
+/// Collects spheres in clusters of 16.
+class Clusters {
+  public:
+    explicit Clusters(size_t spheres) : clusters_((spheres + CLUSTER - 1) / CLUSTER, SphereCluster{}) {}
+
+    /// A sphere whose centre lies at `center` from the apex; the kernels are told that it lies at `placed`.
+    void add(const Vec3& center, double radius, int id, const Vec3& placed) {
+        SphereCluster& c = clusters_[count_ / CLUSTER];
+        const size_t i = count_++ % CLUSTER;
+        const Float3 p = rounded(placed);
+        const double distance = length(center);
+        c.x[i] = p.x;
+        c.y[i] = p.y;
+        c.z[i] = p.z;
+        c.r2[i] = static_cast<float>(radius * radius);
+        c.power[i] = static_cast<float>((distance - radius) * (distance + radius));
+        c.form[i] = radius * radius < distance * distance / 2 ? FORM_SMALL : FORM_LARGE;
+        c.distance[i] = rounded_up(distance);
+        c.reach[i] = rounded_up(radius + distance * 0x1p-19);  // derived in cl/fat_ray.h
+        c.id[i] = id;
+    }
+    /// The last sphere added is within reach of everything.
+    void keep_always() {
+        clusters_[(count_ - 1) / CLUSTER].reach[(count_ - 1) % CLUSTER] = std::numeric_limits<float>::infinity();
+    }
+    std::vector<SphereCluster> take() { return std::move(clusters_); }
+
+  private:
+    std::vector<SphereCluster> clusters_;
+    size_t count_ = 0;
+};
+
+std::vector<SphereCluster> spheres_from(const Vec3& apex, const Scene& scene, const std::vector<int>& ids) {
+    Clusters clusters(ids.size());
     for (const int id : ids) {
         const Sphere& sphere = scene.spheres[static_cast<size_t>(id)];
-        result.push_back(seen(sphere.center - apex, sphere.radius, id));
+        clusters.add(sphere.center - apex, sphere.radius, id, sphere.center - apex);
     }
-    return result;
+    return clusters.take();
 }
 
 /// Hash and equality of centre and radius, for the spheres behind a vector's indices.
@@ -92,25 +119,28 @@ std::vector<int> distinct_spheres(const std::vector<Sphere>& spheres) {
     return ids;
 }
 
-std::vector<PencilSphere> spheres_from_eye(const Scene& scene, const std::vector<int>& ids) {
+std::vector<SphereCluster> spheres_from_eye(const Scene& scene, const std::vector<int>& ids) {
     return spheres_from(scene.camera.eye, scene, ids);
 }
 
-std::vector<PencilSphere> spheres_from_point(const PointPencil& pencil, const Scene& scene,
-                                             const std::vector<int>& ids) {
+std::vector<SphereCluster> spheres_from_point(const PointPencil& pencil, const Scene& scene,
+                                              const std::vector<int>& ids) {
     // The light is where the kernel's float says it is, for spheres and receivers alike.
     return spheres_from(scene.camera.eye + widened(pencil.origin), scene, ids);
 }
 
-std::vector<PencilSphere> spheres_along(const ParallelPencil& pencil, const Scene& scene, const std::vector<int>& ids) {
-    std::vector<PencilSphere> result = spheres_from_eye(scene, ids);
-    for (PencilSphere& s : result) {
+std::vector<SphereCluster> spheres_along(const ParallelPencil& pencil, const Scene& scene,
+                                         const std::vector<int>& ids) {
+    const Vec3 u = widened(pencil.u), v = widened(pencil.v), dir = widened(pencil.dir);
+    Clusters clusters(ids.size());
+    for (const int id : ids) {
+        const Sphere& sphere = scene.spheres[static_cast<size_t>(id)];
+        const Vec3 center = sphere.center - scene.camera.eye;
         // Through the rounded basis, as the kernel takes the receivers through it.
-        const Vec3 center = scene.spheres[static_cast<size_t>(s.id)].center - scene.camera.eye;
-        s.center =
-            rounded({dot(widened(pencil.u), center), dot(widened(pencil.v), center), dot(widened(pencil.dir), center)});
+        clusters.add(center, sphere.radius, id, {dot(u, center), dot(v, center), dot(dir, center)});
+        if (2 * sphere.radius * sphere.radius >= dot(center, center)) clusters.keep_always();
     }
-    return result;
+    return clusters.take();
 }
 
 }  // namespace gnomon

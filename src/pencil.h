@@ -25,11 +25,11 @@ Float3 lambert_factor(const PointLight& light);
 std::vector<int> distinct_spheres(const std::vector<Sphere>& spheres);
 
 /// The spheres of `ids` as seen from the eye.
-std::vector<PencilSphere> spheres_from_eye(const Scene& scene, const std::vector<int>& ids);
+std::vector<SphereCluster> spheres_from_eye(const Scene& scene, const std::vector<int>& ids);
 /// The same along a directional light: in the pencil's basis, still relative to the eye.
-std::vector<PencilSphere> spheres_along(const ParallelPencil& pencil, const Scene& scene, const std::vector<int>& ids);
+std::vector<SphereCluster> spheres_along(const ParallelPencil& pencil, const Scene& scene, const std::vector<int>& ids);
 /// The same as seen from a point light.
-std::vector<PencilSphere> spheres_from_point(const PointPencil& pencil, const Scene& scene,
-                                             const std::vector<int>& ids);
+std::vector<SphereCluster> spheres_from_point(const PointPencil& pencil, const Scene& scene,
+                                              const std::vector<int>& ids);
 
 }  // namespace gnomon

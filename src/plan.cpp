@@ -109,14 +109,18 @@ void add_steps(Plan& plan, const Scene& scene, const RenderOptions& options) {
     chain.resolve(Output::radiance);
 }
 
+uint64_t cluster_bytes(int64_t spheres) {
+    return static_cast<uint64_t>((spheres + CLUSTER - 1) / CLUSTER) * sizeof(SphereCluster);
+}
+
 uint64_t scene_bytes(const Scene& scene, int64_t distinct, const RenderOptions& options) {
     const uint64_t pencils = 1 + (options.shadows ? scene.lights.size() : 0);
-    return pencils * static_cast<uint64_t>(distinct) * sizeof(PencilSphere) + scene.spheres.size() * sizeof(Float3);
+    return pencils * cluster_bytes(distinct) + scene.spheres.size() * sizeof(Float3);
 }
 
 void check_memory(const Plan& plan, int64_t distinct, const DeviceLimits& limits) {
-    const uint64_t largest = std::max(static_cast<uint64_t>(distinct) * sizeof(PencilSphere),
-                                      static_cast<uint64_t>(plan.tile_blocks) * BLOCK_RAYS * sizeof(Float3));
+    const uint64_t largest =
+        std::max(cluster_bytes(distinct), static_cast<uint64_t>(plan.tile_blocks) * BLOCK_RAYS * sizeof(Float3));
     if (largest <= limits.max_alloc_bytes && plan.device_bytes <= limits.global_bytes) return;
     const auto mib = [](uint64_t bytes) { return std::to_string((bytes >> 20) + 1) + " MiB"; };
     throw Error(Blame::run,

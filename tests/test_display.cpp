@@ -1,4 +1,5 @@
 // Display pictures: the sRGB curve against published values, its table against the formula, and every view.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

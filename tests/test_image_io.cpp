@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
@@ -12,6 +13,8 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -222,13 +225,16 @@ TEST_CASE("a file's time is SOURCE_DATE_EPOCH or 1970", "[image_io]") {
 
 TEST_CASE("the same film gives the same bytes", "[image_io]") {
     const Folder folder;
-    const std::string extension = GENERATE(".exr", ".png", ".tif", ".jpg");
     const Film film = make_film(120, 90);
-    write_image(film, folder / ("a" + extension), {}, metadata);
+    const auto extensions = {".exr", ".png", ".tif", ".jpg"};
+    for (const std::string extension : extensions) write_image(film, folder / ("a" + extension), {}, metadata);
     usleep(1100 * 1000);  // the formats' clocks tick in seconds
-    write_image(film, folder / ("b" + extension), {}, metadata);
-    CHECK(!bytes_of(folder / ("a" + extension)).empty());
-    CHECK(bytes_of(folder / ("a" + extension)) == bytes_of(folder / ("b" + extension)));
+    for (const std::string extension : extensions) {
+        write_image(film, folder / ("b" + extension), {}, metadata);
+        const std::string first = bytes_of(folder / ("a" + extension));
+        CHECK_FALSE(first.empty());
+        CHECK((first == bytes_of(folder / ("b" + extension))));
+    }
 }
 
 TEST_CASE("a PNG carries no time", "[image_io]") {
