@@ -11,7 +11,7 @@
 //     |f|^2 / 2;
 //   |f x a| is evaluated here as |f - (f . a) a|, 3 roundings a component and an axis that is a unit vector to 3: at
 //   most 8; h is rounded 4 times, and h <= 2: at most 8; r + |f| h once more: at most 3.
-// Together 27 < 32, so reach = r + 2^-19 |f|, rounded up, is wide enough for all.
+// Together 27 < 32, so reach = r + 2^-19 max(|f|, r), rounded up, is wide enough for all.
 #ifndef GNOMON_FAT_RAY_H
 #define GNOMON_FAT_RAY_H
 

@@ -27,12 +27,14 @@ static inline floatw square_root(floatw a) { return sqrt(a); }
 static inline floatw divide(floatw a, floatw b) {
     const floatw q = a / b;
     const floatw corrected = correct_quotient(a, b, q, wide(1.0f) / b);
-    return (q - q == 0.0f) & (b - b == 0.0f) & (q != 0.0f) ? corrected : q;  // not for inf, NaN and zero
+    const intw finite = (q - q == 0.0f) & (b - b == 0.0f) & (q != 0.0f);  // nothing to correct in inf, NaN and zero
+    return finite ? corrected : q;
 }
 static inline floatw square_root(floatw a) {
     const floatw s = sqrt(a);
     const floatw corrected = correct_root(a, s, wide(0.5f) / s);
-    return (a > 0.0f) & (s - s == 0.0f) ? corrected : s;
+    const intw finite = (a > 0.0f) & (s - s == 0.0f);
+    return finite ? corrected : s;
 }
 #endif
 

@@ -1,8 +1,9 @@
 // intersect_closest: the first sphere that each ray of the eye's pencil meets.
 //
 // Reads dirs (block order, 3 a ray) and the spheres as the eye sees them, ascending in id. Writes per ray t, the
-// outward unit normal and the id (a miss: +inf, (inf, inf, inf), -1), and per work-item how many of its rays hit. One
-// work-item: PACKETS * LANES neighbouring rays of a block against the spheres that their fat ray may meet.
+// outward unit normal and the id (a miss: +inf, (inf, inf, inf), -1); adds to hit_counts[first_group + g] how many rays
+// of work-group g hit. One work-item: PACKETS * LANES neighbouring rays of a block against the spheres that their fat
+// ray may meet.
 #include "fat_ray.h"
 #include "sphere.h"
 
@@ -27,14 +28,16 @@ static inline void intersect(PencilSphere s, vec3w dir, Hit* hit) {
 }
 
 static inline vec3w outward_normal(Hit hit, vec3w dir) {
-    const vec3w out = fma_w(hit.t, dir, (vec3w){-hit.center.x, -hit.center.y, -hit.center.z});
     const vec3w infinite = {wide(INFINITY), wide(INFINITY), wide(INFINITY)};
-    return select_w(hit.id >= 0, scale_w(divide(wide(1.0f), square_root(dot_w(out, out))), out), infinite);
+    const intw hits = hit.id >= 0;
+    if (!any_lane(hits)) return infinite;
+    const vec3w out = fma_w(hit.t, dir, (vec3w){-hit.center.x, -hit.center.y, -hit.center.z});
+    return select_w(hits, scale_w(divide(wide(1.0f), square_root(dot_w(out, out))), out), infinite);
 }
 
 kernel void intersect_closest(global const float* restrict dirs, global const SphereCluster* restrict clusters,
                               const int sphere_count, const int items, global float* restrict ts,
-                              global float* restrict normals, global int* restrict ids,
+                              global float* restrict normals, global int* restrict ids, const int first_group,
                               global int* restrict hit_counts) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
@@ -66,5 +69,5 @@ kernel void intersect_closest(global const float* restrict dirs, global const Sp
         store_i(hit[k].id, ids, item, k);
         hits += hit[k].id >= 0 ? (intw)(1) : (intw)(0);
     }
-    hit_counts[item] = REDUCE(count, hits);
+    atomic_add(hit_counts + first_group + get_group_id(0), REDUCE(count, hits));
 }

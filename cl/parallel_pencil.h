@@ -20,25 +20,24 @@ static inline ShadowRay shadow_ray(LightPencil light, vec3w position) {
     return (ShadowRay){from, dot_w(from, from)};
 }
 
-// n . l: > 0 where the surface faces the light.
-static inline floatw facing(LightPencil light, vec3w position, vec3w normal) { return dot_f(light.dir, normal); }
-
-// n . l, the share of the irradiance that arrives.
-static inline floatw geometry(LightPencil light, vec3w position, vec3w normal) { return dot_f(light.dir, normal); }
+// n . l, the share of the light's irradiance that arrives: > 0 where the surface faces the light.
+static inline floatw arriving(LightPencil light, vec3w position, vec3w normal) { return dot_f(light.dir, normal); }
 
 // Whether the sphere meets the ray at any t > 0, that is: its line comes closer than the radius, and the farther root
-// s + sqrt(D) is > 0, with s the way along dir from the receiver to the foot of the centre. For a sphere that looks
-// large the receiver's own power |c - p|^2 - r^2 = C - 2 c.p + |p|^2 says on which side of the surface it is (see
-// sphere.h).
+// ahead + sqrt(D) is > 0, with `ahead` the way along dir from the receiver p to the foot of the centre c.
+//   D = r^2 - |across|^2, whose error is a few u r (|p| + |c|), serves spheres that look small, and receivers far away.
+//   The receiver's own power |c - p|^2 - r^2 = C - 2 c . p + |p|^2 = ahead^2 - D says on which side of the surface it
+//   is (see sphere.h). Its error is a few u |p| (|p| + |c|): less for a sphere that looks large (|c| < 1.5 r) where |p|
+//   < r.
 static inline intw occludes(PencilSphere s, ShadowRay ray) {
     const floatw ahead = wide(s.center.z) - ray.from.z;
-    if (s.form == FORM_LARGE) {
-        const floatw power = wide(s.power) + fma(wide(-2.0f), dot_f(s.center, ray.from), ray.squared);
-        return (power < 0.0f) | ((ahead > 0.0f) & (fma(ahead, ahead, -power) >= 0.0f));
-    }
     const floatw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
     const floatw discriminant = fma(-x, x, fma(-y, y, wide(s.r2)));
-    return (discriminant >= 0.0f) & ((ahead > 0.0f) | (ahead * ahead < discriminant));
+    const intw by_disc = (discriminant >= 0.0f) & ((ahead > 0.0f) | (ahead * ahead < discriminant));
+    if (s.form == FORM_SMALL) return by_disc;
+    const floatw power = wide(s.power) + fma(wide(-2.0f), dot_f(s.center, ray.from), ray.squared);
+    const intw by_power = (power < 0.0f) | ((ahead > 0.0f) & (fma(ahead, ahead, -power) >= 0.0f));
+    return ray.squared < wide(s.r2) ? by_power : by_disc;
 }
 
 #if LANES > 1
@@ -63,10 +62,9 @@ static inline FatShadowRay fat_shadow_ray(const ShadowRay* ray, const intw* open
                           REDUCE(least, back)};
 }
 
-// Which spheres of a cluster may occlude one of the rays. occludes() compares differences of the very numbers that are
-// compared here; it rounds each three times at most, by less than 8 u r, and the sums here round once, by u (|f| + r).
-// The sphere's reach, r + 32 u |f| with r < |f| (fat_ray.h), holds both. A sphere that looks large has an infinite
-// reach.
+// Which spheres of a cluster may occlude one of the rays. occludes() accepts rays that pass at most 8 u max(|c|, r)
+// outside a sphere, by the errors given there (for `power` divided by 2 r, where |p| < r and |c| < 1.5 r); the sums
+// here round once, by less than 3 u max(|c|, r). The sphere's reach, r + 32 u max(|c|, r) (fat_ray.h), holds both.
 static inline int shadow_candidates(FatShadowRay fat, global const SphereCluster* c) {
     int kept = 0;
     for (int first = 0; first < CLUSTER; first += LANES) {

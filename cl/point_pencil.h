@@ -18,23 +18,19 @@ static inline vec3w from_light(LightPencil light, vec3w position) {
     return (vec3w){position.x - light.origin.x, position.y - light.origin.y, position.z - light.origin.z};
 }
 
-// A receiver at the light itself gets NaN: it meets nothing, and facing() says that it is not lit.
+// A receiver at the light itself gets NaN, which meets nothing.
 static inline ShadowRay shadow_ray(LightPencil light, vec3w position) {
     const vec3w way = from_light(light, position);
     const floatw distance = square_root(dot_w(way, way));
     return (ShadowRay){scale_w(divide(wide(1.0f), distance), way), distance};
 }
 
-// d n . l: > 0 where the surface faces the light, 0 at the light.
-static inline floatw facing(LightPencil light, vec3w position, vec3w normal) {
-    return -dot_w(from_light(light, position), normal);
-}
-
-// n . l / d^2 = (d n . l) / d^3
-static inline floatw geometry(LightPencil light, vec3w position, vec3w normal) {
+// n . l / d^2 = (d n . l) / d^3, the share of the light's power that arrives, but for a factor: > 0 where the surface
+// faces the light, and NaN, which is not > 0, at the light.
+static inline floatw arriving(LightPencil light, vec3w position, vec3w normal) {
     const vec3w way = from_light(light, position);
     const floatw squared = dot_w(way, way);
-    return divide(divide(-dot_w(way, normal), squared), square_root(squared));
+    return divide(-dot_w(way, normal), squared * square_root(squared));
 }
 
 // From outside (C > 0), with the centre ahead: the segment meets the sphere when its line does and the near root lies

@@ -1,12 +1,11 @@
-// shade_light: adds one light's Lambert term, albedo * phi * geometry, to the radiance of the hits that it lights.
+// shade_light: adds one light's Lambert term, albedo * phi * arrival, to the radiance of the hits that it lights.
 //
-// Reads what intersect_closest wrote with dirs, the albedo of every sphere, and lit where SHADOWS is 1 (where it is 0
-// lit is not touched: whatever faces the light is lit). phi is the light's irradiance / pi (directional) or power / (4
-// pi^2) (point). Adds to radiance (3 a ray, block order), or sets it for the first light. One work-item: PACKETS *
-// LANES rays.
-#include "lanes.h"
-
-#include "light_pencil.h"
+// What arrives at each hit follows, as SHADOWS says, from what intersect_closest wrote and nothing else (SHADOWS_OFF);
+// from arrival, as intersect_shadow wrote it (SHADOWS_READ); or from shadow rays that are traced here, in the same
+// launch, as intersect_shadow would (SHADOWS_TRACED). What is not needed is not touched. phi is the light's irradiance
+// / pi (directional) or power / (4 pi^2) (point). Adds to radiance (3 a ray, block order), or sets it for the first
+// light. One work-item: PACKETS * LANES neighbouring rays.
+#include "shadow.h"
 
 // The albedo of LANES ids by a loop over the distinct ones, of which neighbours have few: gathers are slower.
 static inline vec3w albedo_of(global const Float3* restrict albedos, intw id, intw wanted) {
@@ -21,29 +20,30 @@ static inline vec3w albedo_of(global const Float3* restrict albedos, intw id, in
 
 kernel void shade_light(global const float* restrict dirs, global const float* restrict ts,
                         global const float* restrict normals, global const int* restrict ids,
-                        global const int* restrict lit, global const Float3* restrict albedos, const LightPencil light,
+                        global const float* restrict arrival, global const SphereCluster* restrict clusters,
+                        const int sphere_count, global const Float3* restrict albedos, const LightPencil light,
                         const Float3 phi, const int first, const int items, global float* restrict radiance) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
-    FOR_PACKETS(k) {
-        const intw id = load_i(ids, item, k);
-        const vec3w normal = load_3(normals, item, k);
-        const vec3w position = scale_w(load_f(ts, item, k), load_3(dirs, item, k));
-#if SHADOWS
-        const intw shines = load_i(lit, item, k) != 0;
+    const Hits hits = {dirs, ts, normals, ids};
+    floatw share[PACKETS];
+#if SHADOWS == SHADOWS_TRACED
+    trace_shadows(hits, clusters, sphere_count, light, item, share);
+#elif SHADOWS == SHADOWS_READ
+    FOR_PACKETS(k) share[k] = load_f(arrival, item, k);
 #else
-        const intw shines = (id >= 0) & (facing(light, position, normal) > 0.0f);
+    FOR_PACKETS(k) share[k] = unshadowed(hits, light, item, k);
 #endif
-        const vec3w zero = {wide(0.0f), wide(0.0f), wide(0.0f)};
-        vec3w sum = zero;
+    FOR_PACKETS(k) {
+        const intw lit = share[k] > 0.0f;
+        const int any_lit = any_lane(lit);
+        if (!any_lit && !first) continue;
+        vec3w sum = {wide(0.0f), wide(0.0f), wide(0.0f)};
         if (!first) sum = load_3(radiance, item, k);
-        if (any_lane(shines)) {
-            const vec3w reflected = scale_w(geometry(light, position, normal), albedo_of(albedos, id, shines));
-            const vec3w added = {fma(reflected.x, wide(phi.x), sum.x), fma(reflected.y, wide(phi.y), sum.y),
-                                 fma(reflected.z, wide(phi.z), sum.z)};
-            sum = select_w(shines, added, sum);
-        } else if (!first) {
-            continue;
+        if (any_lit) {
+            const vec3w reflected = scale_w(share[k], albedo_of(albedos, load_i(ids, item, k), lit));
+            sum = (vec3w){fma(reflected.x, wide(phi.x), sum.x), fma(reflected.y, wide(phi.y), sum.y),
+                          fma(reflected.z, wide(phi.z), sum.z)};
         }
         store_3(sum, radiance, item, k);
     }

@@ -16,6 +16,11 @@
 #define LIGHT_DIRECTIONAL 0
 #define LIGHT_POINT 1
 
+// Where shade_light has its shadows from.
+#define SHADOWS_OFF 0
+#define SHADOWS_READ 1
+#define SHADOWS_TRACED 2
+
 #ifdef __cplusplus
 namespace gnomon {
 #endif

@@ -1,5 +1,7 @@
 #include "buffers.h"
 
+#include <algorithm>
+
 namespace gnomon {
 
 namespace {
@@ -39,6 +41,22 @@ struct LightUpload {
     }
 };
 
+TileBuffers allocate_tile(const cl::Context& context, const Plan& plan) {
+    const size_t rays = static_cast<size_t>(plan.tile_blocks) * BLOCK_RAYS;
+    const auto values = [&](size_t count) { return cl::Buffer(context, CL_MEM_READ_WRITE, count * sizeof(float)); };
+    TileBuffers tile;
+    tile.dirs = values(3 * rays);
+    tile.ts = values(rays);
+    tile.normals = values(3 * rays);
+    tile.ids = values(rays);
+    // Kernel arguments that a scene does not use still have to name a buffer.
+    tile.arrival = values(plan.uses(Kernel::intersect_shadow) ? rays : 1);
+    tile.radiance = values(plan.uses(Kernel::shade_light) ? 3 * rays : 1);
+    if (!plan.write_in_place)
+        for (cl::Buffer& plane : tile.planes) plane = values(rays);
+    return tile;
+}
+
 }  // namespace
 
 SceneBuffers upload(const cl::Context& context, const Scene& scene, const std::vector<int>& ids, const Plan& plan) {
@@ -49,26 +67,21 @@ SceneBuffers upload(const cl::Context& context, const Scene& scene, const std::v
     if (!plan.uses(Kernel::shade_light)) return buffers;
     buffers.albedos = constant(context, albedos_of(scene.spheres));
     for (const Light& light : scene.lights)
-        buffers.lights.push_back(
-            std::visit(LightUpload{context, scene, ids, plan.uses(Kernel::intersect_shadow)}, light));
+        buffers.lights.push_back(std::visit(LightUpload{context, scene, ids, plan.shadows != Shadows::off}, light));
     return buffers;
 }
 
-TileBuffers allocate_tile(const cl::Context& context, const Plan& plan) {
-    const size_t rays = static_cast<size_t>(plan.tile_blocks) * BLOCK_RAYS;
-    const auto values = [&](size_t count) { return cl::Buffer(context, CL_MEM_READ_WRITE, count * sizeof(float)); };
-    TileBuffers tile;
-    tile.dirs = values(3 * rays);
-    tile.ts = values(rays);
-    tile.normals = values(3 * rays);
-    tile.ids = values(rays);
-    tile.hit_counts = values(rays / static_cast<size_t>(plan.rays_per_item()));
-    // Kernel arguments that a scene does not use still have to name a buffer.
-    tile.lit = values(plan.uses(Kernel::intersect_shadow) ? rays : 1);
-    tile.radiance = values(plan.uses(Kernel::shade_light) ? 3 * rays : 1);
-    if (!plan.write_in_place)
-        for (cl::Buffer& plane : tile.planes) plane = values(rays);
-    return tile;
+std::vector<TileBuffers>& TilePool::get(const cl::Context& context, const Plan& plan) {
+    const size_t count = std::min<size_t>(tile_sets, plan.tiles.size()), rays = static_cast<size_t>(plan.tile_blocks);
+    const std::array<size_t, 4> shape{count, rays,
+                                      plan.uses(Kernel::intersect_shadow) + size_t{2} * plan.uses(Kernel::shade_light),
+                                      size_t{plan.write_in_place}};
+    if (shape == shape_) return tiles_;
+    shape_ = {};  // of no plan, in case an allocation throws
+    tiles_.clear();
+    for (size_t i = 0; i < count; ++i) tiles_.push_back(allocate_tile(context, plan));
+    shape_ = shape;
+    return tiles_;
 }
 
 }  // namespace gnomon

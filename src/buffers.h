@@ -1,6 +1,7 @@
 // What lies on the device: the scene, once a picture; the rays and hits of a tile, once for each tile under way.
 #pragma once
 
+#include <array>
 #include <variant>
 #include <vector>
 
@@ -30,9 +31,17 @@ SceneBuffers upload(const cl::Context& context, const Scene& scene, const std::v
 
 /// Rays and hits of one tile, in block order; planes receives the film's part where it is not written in place.
 struct TileBuffers {
-    cl::Buffer dirs, ts, normals, ids, hit_counts, lit, radiance, planes[3];
+    cl::Buffer dirs, ts, normals, ids, arrival, radiance, planes[3];
 };
 
-TileBuffers allocate_tile(const cl::Context& context, const Plan& plan);
+/// The tiles under way, allocated on first use and kept as long as plans have the same shape.
+class TilePool {
+  public:
+    std::vector<TileBuffers>& get(const cl::Context& context, const Plan& plan);
+
+  private:
+    std::vector<TileBuffers> tiles_;
+    std::array<size_t, 4> shape_{};
+};
 
 }  // namespace gnomon

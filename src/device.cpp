@@ -70,7 +70,8 @@ DeviceInfo inspect(const cl::Platform& platform, const cl::Device& device) {
 
 /// `request` in lower case: a number or a type means just that, anything else is part of a name.
 bool matches(const DeviceInfo& info, const std::string& request) {
-    if (request.find_first_not_of("0123456789:") == std::string::npos) return request == info.number();
+    const bool number = request.find(':') != std::string::npos;
+    if (number && request.find_first_not_of("0123456789:") == std::string::npos) return request == info.number();
     for (const DeviceType type : {DeviceType::cpu, DeviceType::gpu, DeviceType::accel})
         if (request == to_string(type)) return info.type == type;
     return lower(info.name).find(request) != std::string::npos ||

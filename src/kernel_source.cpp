@@ -20,7 +20,8 @@ std::string from_disk(const std::string& folder, const std::string& file) {
 }
 
 std::string read(const std::string& file) {
-    if (const char* folder = std::getenv("GNOMON_CL_DIR")) return from_disk(folder, file);
+    const char* folder = std::getenv("GNOMON_CL_DIR");
+    if (folder && *folder) return from_disk(folder, file);
     const auto found = embedded_kernel_files().find(file);
     if (found == embedded_kernel_files().end()) throw Error(Blame::run, "this program holds no such kernel", file);
     return found->second;

@@ -1,5 +1,6 @@
 #include "pencil.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -40,12 +41,8 @@ class Clusters {
         c.power[i] = static_cast<float>((distance - radius) * (distance + radius));
         c.form[i] = radius * radius < distance * distance / 2 ? FORM_SMALL : FORM_LARGE;
         c.distance[i] = rounded_up(distance);
-        c.reach[i] = rounded_up(radius + distance * 0x1p-19);  // derived in cl/fat_ray.h
+        c.reach[i] = rounded_up(radius + std::max(distance, radius) * 0x1p-19);  // derived in cl/fat_ray.h
         c.id[i] = id;
-    }
-    /// The last sphere added is within reach of everything.
-    void keep_always() {
-        clusters_[(count_ - 1) / CLUSTER].reach[(count_ - 1) % CLUSTER] = std::numeric_limits<float>::infinity();
     }
     std::vector<SphereCluster> take() { return std::move(clusters_); }
 
@@ -138,7 +135,6 @@ std::vector<SphereCluster> spheres_along(const ParallelPencil& pencil, const Sce
         const Vec3 center = sphere.center - scene.camera.eye;
         // Through the rounded basis, as the kernel takes the receivers through it.
         clusters.add(center, sphere.radius, id, {dot(u, center), dot(v, center), dot(dir, center)});
-        if (2 * sphere.radius * sphere.radius >= dot(center, center)) clusters.keep_always();
     }
     return clusters.take();
 }

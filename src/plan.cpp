@@ -8,9 +8,10 @@ namespace gnomon {
 
 namespace {
 
-// Rays in a tile. On a CPU the buffers of the tiles under way should stay in the caches: 2 x 64 Ki rays of 48 bytes are
-// 6 MiB. A GPU wants enough work in a launch to fill it.
-constexpr int cpu_tile_rays = 1 << 16, gpu_tile_rays = 1 << 20;
+// Rays in a tile. On a CPU the buffers of the tiles under way should stay in the caches, and a launch should cost
+// little beside its work: two tiles of 128 Ki rays are 12 MiB, and a launch of one takes 0.1 ms or more. A GPU wants to
+// be filled.
+constexpr int cpu_tile_rays = 1 << 17, gpu_tile_rays = 1 << 20;
 constexpr int max_tile_rays = 1 << 24;
 
 int choose_lanes(int asked, const DeviceLimits& limits) {
@@ -49,13 +50,17 @@ std::vector<Tile> cut(const ImageSize& image, int rays) {
     return tiles;
 }
 
-/// Adds launches to a plan, and a kernel variant when it is the first to need it.
+/// Adds launches to a plan, and a kernel variant when a launch is the first to need it.
 class Chain {
   public:
     explicit Chain(Plan& plan) : plan_(plan) {}
 
     void add(Step step, const std::vector<std::string>& defines) {
-        step.variant = variant(step.kernel, defines);
+        std::vector<Variant>& variants = plan_.variants;
+        const auto same = [&](const Variant& v) { return v.kernel == step.kernel && v.defines == defines; };
+        const auto found = std::find_if(variants.begin(), variants.end(), same);
+        step.variant = static_cast<int>(found - variants.begin());
+        if (found == variants.end()) variants.push_back({step.kernel, defines});
         plan_.steps.push_back(step);
     }
     void add_lanes(Step step, std::vector<std::string> defines) {
@@ -66,30 +71,34 @@ class Chain {
     void resolve(Output output) {
         Step step{Kernel::resolve, 0};
         step.output = output;
-        add(step, {});
+        add(step, {plan_.stream ? "STREAM=1" : "STREAM=0"});
     }
 
   private:
-    int variant(Kernel kernel, const std::vector<std::string>& defines) {
-        const auto same = [&](const Variant& v) { return v.kernel == kernel && v.defines == defines; };
-        const auto found = std::find_if(plan_.variants.begin(), plan_.variants.end(), same);
-        if (found == plan_.variants.end()) plan_.variants.push_back({kernel, defines});
-        return static_cast<int>(
-            std::distance(plan_.variants.begin(), std::find_if(plan_.variants.begin(), plan_.variants.end(), same)));
-    }
-
     Plan& plan_;
 };
 
-void add_lights(Chain& chain, const Scene& scene, const RenderOptions& options) {
+const char* define(Shadows shadows) {
+    switch (shadows) {
+        case Shadows::off:
+            return "SHADOWS=SHADOWS_OFF";
+        case Shadows::read:
+            return "SHADOWS=SHADOWS_READ";
+        case Shadows::traced:
+            break;
+    }
+    return "SHADOWS=SHADOWS_TRACED";
+}
+
+void add_lights(Chain& chain, const Scene& scene, Shadows shadows) {
     for (size_t i = 0; i < scene.lights.size(); ++i) {
         const bool point = std::holds_alternative<PointLight>(scene.lights[i]);
         const std::string kind = point ? "LIGHT=LIGHT_POINT" : "LIGHT=LIGHT_DIRECTIONAL";
         Step step{Kernel::intersect_shadow, 0, static_cast<int>(i)};
-        if (options.shadows) chain.add_lanes(step, {kind});
+        if (shadows == Shadows::read) chain.add_lanes(step, {kind});
         step.kernel = Kernel::shade_light;
         step.first = i == 0;
-        chain.add_lanes(step, {kind, options.shadows ? "SHADOWS=1" : "SHADOWS=0"});
+        chain.add_lanes(step, {kind, define(shadows)});
     }
 }
 
@@ -105,7 +114,7 @@ void add_steps(Plan& plan, const Scene& scene, const RenderOptions& options) {
     if (wanted.normal) chain.resolve(Output::normal);
     if (wanted.id) chain.resolve(Output::id);
     if (!shaded) return;
-    add_lights(chain, scene, options);
+    add_lights(chain, scene, plan.shadows);
     chain.resolve(Output::radiance);
 }
 
@@ -122,11 +131,12 @@ void check_memory(const Plan& plan, int64_t distinct, const DeviceLimits& limits
     const uint64_t largest =
         std::max(cluster_bytes(distinct), static_cast<uint64_t>(plan.tile_blocks) * BLOCK_RAYS * sizeof(Float3));
     if (largest <= limits.max_alloc_bytes && plan.device_bytes <= limits.global_bytes) return;
-    const auto mib = [](uint64_t bytes) { return std::to_string((bytes >> 20) + 1) + " MiB"; };
+    const auto up = [](uint64_t bytes) { return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB"; };
+    const auto down = [](uint64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; };
     throw Error(Blame::run,
-                "the scene needs " + mib(plan.device_bytes) + " on the device, " + mib(largest) +
-                    " of it in one buffer; the device offers " + mib(limits.global_bytes) + ", " +
-                    mib(limits.max_alloc_bytes) + " in one buffer",
+                "the scene needs " + up(plan.device_bytes) + " on the device, " + up(largest) +
+                    " of it in one buffer; the device offers " + down(limits.global_bytes) + ", " +
+                    down(limits.max_alloc_bytes) + " in one buffer",
                 "", "use a device with more memory, or a smaller --tile");
 }
 
@@ -163,7 +173,8 @@ std::string Variant::options() const {
 }
 
 int Plan::items(Kernel kernel, const Tile& tile) const {
-    return kernel == Kernel::resolve ? tile.blocks * BLOCK_SIDE : tile.blocks * BLOCK_RAYS / rays_per_item();
+    if (kernel != Kernel::resolve) return tile.blocks * BLOCK_RAYS / rays_per_item();
+    return (tile.blocks_x + 1) / 2 * (tile.blocks / tile.blocks_x) * BLOCK_SIDE;
 }
 
 bool Plan::uses(Kernel kernel) const {
@@ -178,11 +189,14 @@ Plan make_plan(const Scene& scene, int64_t distinct, const RenderOptions& option
     plan.local_size = static_cast<int>(std::min<uint64_t>(limits.cpu ? 16 : 64, limits.max_work_group));
     plan.tiles = cut(scene.image, tile_rays(options.tile, limits));
     plan.spheres = distinct;
-    add_steps(plan, scene, options);
-    for (const Tile& tile : plan.tiles) plan.tile_blocks = std::max(plan.tile_blocks, tile.blocks);
     const uint64_t plane_bytes =
         static_cast<uint64_t>(scene.image.width) * static_cast<uint64_t>(scene.image.height) * 4;
     plan.write_in_place = limits.shares_memory && plane_bytes <= limits.max_alloc_bytes;
+    plan.stream = plan.write_in_place && limits.cpu;
+    // A launch costs a CPU more than it does a GPU, and hits read twice cost more than registers.
+    if (options.shadows) plan.shadows = limits.cpu ? Shadows::traced : Shadows::read;
+    add_steps(plan, scene, options);
+    for (const Tile& tile : plan.tiles) plan.tile_blocks = std::max(plan.tile_blocks, tile.blocks);
     if (plan.steps.empty()) return plan;
     plan.device_bytes = scene_bytes(scene, distinct, options) +
                         static_cast<uint64_t>(tile_sets * plan.tile_blocks) * BLOCK_RAYS * bytes_per_ray;

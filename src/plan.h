@@ -27,6 +27,9 @@ const char* to_string(Kernel kernel);
 /// One of the film's outputs, for resolve.
 enum class Output { radiance, distance, normal, id };
 
+/// Where shade_light has its shadows from: nowhere; intersect_shadow, a launch before; its own launch.
+enum class Shadows { off, read, traced };
+
 /// One way to build one kernel: what -D sets ("LANES=16").
 struct Variant {
     Kernel kernel;
@@ -46,8 +49,10 @@ struct Step {
 
 struct Plan {
     ImageSize image;
-    int lanes = 1, packets = 1;     ///< rays a vector, vectors a work-item
-    int local_size = 1;             ///< work-items a group, the same for all launches
+    int lanes = 1, packets = 1;  ///< rays a vector, vectors a work-item
+    int local_size = 1;          ///< work-items a group, the same for all launches
+    Shadows shadows = Shadows::off;
+    bool stream = true;             ///< resolve writes past the caches
     bool write_in_place = true;     ///< the film's planes are the device's buffers
     int tile_blocks = 0;            ///< blocks in the largest tile
     std::vector<Tile> tiles;        ///< covering the image, row by row
@@ -64,7 +69,7 @@ struct Plan {
 /// How many tiles are under way at once: one computes while the one before is read back.
 constexpr int tile_sets = 2;
 
-/// Bytes of one ray in a tile's buffers: dir 12, t 4, normal 12, id 4, lit 4, radiance 12.
+/// Bytes of one ray in a tile's buffers: dir 12, t 4, normal 12, id 4, arrival 4, radiance 12.
 constexpr int64_t bytes_per_ray = 48;
 
 /// `distinct` is the number of spheres left when coincident ones count as one. Throws Error(Blame::input) for lanes or

@@ -68,13 +68,15 @@ struct Renderer::State {
     cl::Context context;
     cl::CommandQueue queue;
     Programs programs;
+    TilePool tiles;
 
     explicit State(const DeviceInfo& i)
         : info(i),
           device(open_device(i)),
           context(device),
           queue(make_queue(context, device, i)),
-          programs(context, device, i) {}
+          programs(context, device, i),
+          tiles() {}
 
     std::vector<cl::Kernel> build(const Plan& plan, RenderStats& stats) {
         std::vector<cl::Kernel> kernels;
@@ -90,7 +92,8 @@ struct Renderer::State {
 
     void trace(const Plan& plan, const SceneBuffers& buffers, const std::vector<cl::Kernel>& kernels, Film& film,
                const std::function<void(double)>& progress, RenderStats& stats) {
-        const Measured measured = Scheduler(context, queue, plan, buffers, kernels, film).run(progress);
+        Scheduler scheduler(context, queue, plan, buffers, tiles.get(context, plan), kernels, film);
+        const Measured measured = scheduler.run(progress);
         stats.hits = measured.hits;
         for (size_t i = 0; i < plan.variants.size(); ++i) {
             KernelStats& kernel = stats.kernels[i];
@@ -99,7 +102,7 @@ struct Renderer::State {
             const int64_t lights = lights_of(plan, i);
             kernel.rays = lights > 0 ? lights * measured.hits : stats.pixels;
         }
-        stats.rays = stats.pixels + (plan.uses(Kernel::intersect_shadow) ? stats.lights * stats.hits : 0);
+        stats.rays = stats.pixels + (plan.shadows != Shadows::off ? stats.lights * stats.hits : 0);
     }
 };
 

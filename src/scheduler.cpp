@@ -44,21 +44,21 @@ double seconds(const cl::Event& event) {
                                       event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
 }
 
-size_t round_up(size_t n, size_t multiple) { return (n + multiple - 1) / multiple * multiple; }
-
 }  // namespace
 
 Scheduler::Scheduler(const cl::Context& context, const cl::CommandQueue& queue, const Plan& plan,
-                     const SceneBuffers& scene, std::vector<cl::Kernel> kernels, Film& film)
+                     const SceneBuffers& scene, const std::vector<TileBuffers>& tiles, std::vector<cl::Kernel> kernels,
+                     Film& film)
     : context_(context), queue_(queue), plan_(plan), scene_(scene), kernels_(std::move(kernels)), film_(film) {
-    slots_.resize(std::min<size_t>(tile_sets, plan.tiles.size()));
-    for (Slot& slot : slots_) slot.buffers = allocate_tile(context, plan);
+    for (const TileBuffers& buffers : tiles) slots_.push_back({buffers, {}});
     launched_.resize(plan.tiles.size());
     measured_.launches.resize(plan.variants.size());
     measured_.seconds.resize(plan.variants.size());
-    size_t items = 0;
-    for (const Tile& tile : plan.tiles) items += static_cast<size_t>(plan.items(Kernel::intersect_closest, tile));
-    hit_counts_.resize(items);
+    for (const Tile& tile : plan.tiles) {
+        first_groups_.push_back(groups_);
+        groups_ += static_cast<int>(groups(Kernel::intersect_closest, tile));
+    }
+    hit_counts_ = cl::Buffer(context, CL_MEM_READ_WRITE, static_cast<size_t>(groups_) * sizeof(int));
     if (!plan.write_in_place) return;
     for (const Step& step : plan.steps)
         if (step.kernel == Kernel::resolve)
@@ -74,6 +74,9 @@ Measured Scheduler::run(const std::function<void(double)>& progress) {
         ~Finish() { clFinish(queue()); }
     } finish{queue_};
     const size_t count = plan_.tiles.size();
+    cl::Event cleared;
+    queue_.enqueueFillBuffer(hit_counts_, 0, 0, static_cast<size_t>(groups_) * sizeof(int), nullptr, &cleared);
+    for (Slot& slot : slots_) slot.busy = {cleared};
     for (size_t tile = 0; tile < count + tiles_ahead; ++tile) {
         if (tile < count) enqueue(tile);
         if (tile < tiles_ahead || tile - tiles_ahead >= count) continue;
@@ -82,7 +85,9 @@ Measured Scheduler::run(const std::function<void(double)>& progress) {
     }
     if (plan_.write_in_place) map_film();
     queue_.finish();
-    measured_.hits = std::accumulate(hit_counts_.begin(), hit_counts_.end(), int64_t{0});
+    std::vector<int> hits(static_cast<size_t>(groups_));
+    queue_.enqueueReadBuffer(hit_counts_, CL_TRUE, 0, hits.size() * sizeof(int), hits.data());
+    measured_.hits = std::accumulate(hits.begin(), hits.end(), int64_t{0});
     return measured_;
 }
 
@@ -92,17 +97,19 @@ void Scheduler::enqueue(size_t index) {
     for (const Step& step : plan_.steps) {
         launch(step, tile, slot);
         launched_[index].push_back({step.variant, slot.busy.front()});
-        if (step.kernel == Kernel::intersect_closest) read_hit_counts(tile, slot);
         if (step.kernel == Kernel::resolve && !plan_.write_in_place) read_planes(step.output, tile, slot);
     }
     queue_.flush();
 }
 
+size_t Scheduler::groups(Kernel kernel, const Tile& tile) const {
+    return static_cast<size_t>((plan_.items(kernel, tile) + plan_.local_size - 1) / plan_.local_size);
+}
+
 void Scheduler::launch(const Step& step, const Tile& tile, Slot& slot) {
     cl::Kernel& kernel = kernels_[static_cast<size_t>(step.variant)];
     set_arguments(kernel, step, tile, slot);
-    const size_t local = static_cast<size_t>(plan_.local_size);
-    const size_t global = round_up(static_cast<size_t>(plan_.items(step.kernel, tile)), local);
+    const size_t local = static_cast<size_t>(plan_.local_size), global = groups(step.kernel, tile) * local;
     cl::Event done;
     queue_.enqueueNDRangeKernel(kernel, cl::NullRange, global, local, &slot.busy, &done);
     slot.busy = {done};
@@ -111,12 +118,13 @@ void Scheduler::launch(const Step& step, const Tile& tile, Slot& slot) {
 void Scheduler::set_arguments(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot) {
     const TileBuffers& b = slot.buffers;
     const int items = plan_.items(step.kernel, tile);
+    const int first_group = first_groups_[static_cast<size_t>(&tile - plan_.tiles.data())];
     switch (step.kernel) {
         case Kernel::generate_rays:
             return set(kernel, scene_.eye, tile, items, b.dirs);
         case Kernel::intersect_closest:
-            return set(kernel, b.dirs, scene_.spheres, scene_.sphere_count, items, b.ts, b.normals, b.ids,
-                       b.hit_counts);
+            return set(kernel, b.dirs, scene_.spheres, scene_.sphere_count, items, b.ts, b.normals, b.ids, first_group,
+                       hit_counts_);
         case Kernel::intersect_shadow:
         case Kernel::shade_light:
             return set_light_arguments(kernel, step, slot, items);
@@ -131,10 +139,10 @@ void Scheduler::set_light_arguments(cl::Kernel& kernel, const Step& step, const 
     const int first = step.first ? 1 : 0;
     const auto with = [&](const auto& pencil) {
         if (step.kernel == Kernel::intersect_shadow)
-            set(kernel, b.dirs, b.ts, b.normals, b.ids, light.spheres, scene_.sphere_count, pencil, items, b.lit);
+            set(kernel, b.dirs, b.ts, b.normals, b.ids, light.spheres, scene_.sphere_count, pencil, items, b.arrival);
         else
-            set(kernel, b.dirs, b.ts, b.normals, b.ids, b.lit, scene_.albedos, pencil, light.phi, first, items,
-                b.radiance);
+            set(kernel, b.dirs, b.ts, b.normals, b.ids, b.arrival, light.spheres, scene_.sphere_count, scene_.albedos,
+                pencil, light.phi, first, items, b.radiance);
     };
     std::visit(with, light.pencil);
 }
@@ -151,15 +159,6 @@ void Scheduler::set_resolve_arguments(cl::Kernel& kernel, const Step& step, cons
     set(kernel, *sources[output], components, tile, film_.width, film_.height, in_place ? 0 : tile.x,
         in_place ? 0 : tile.y, in_place ? film_.width : tile.blocks_x * BLOCK_SIDE, plan_.items(step.kernel, tile),
         plane(0), plane(1), plane(2));
-}
-
-void Scheduler::read_hit_counts(const Tile& tile, Slot& slot) {
-    const auto items = static_cast<size_t>(plan_.items(Kernel::intersect_closest, tile));
-    cl::Event done;
-    queue_.enqueueReadBuffer(slot.buffers.hit_counts, CL_FALSE, 0, items * sizeof(int),
-                             hit_counts_.data() + hit_counts_used_, &slot.busy, &done);
-    hit_counts_used_ += items;
-    slot.busy.push_back(done);
 }
 
 void Scheduler::read_planes(Output output, const Tile& tile, Slot& slot) {

@@ -21,9 +21,9 @@ struct Measured {
 /// One run of one plan. The film must have the plan's size and the planes that its steps resolve.
 class Scheduler {
   public:
-    /// `kernels` are the plan's variants, built.
+    /// `tiles` are the buffers of the tiles under way, `kernels` the plan's variants, built.
     Scheduler(const cl::Context& context, const cl::CommandQueue& queue, const Plan& plan, const SceneBuffers& scene,
-              std::vector<cl::Kernel> kernels, Film& film);
+              const std::vector<TileBuffers>& tiles, std::vector<cl::Kernel> kernels, Film& film);
 
     /// Launches everything and waits for it; the film is then complete.
     Measured run(const std::function<void(double)>& progress);
@@ -40,11 +40,11 @@ class Scheduler {
     };
 
     void enqueue(size_t tile);
+    size_t groups(Kernel kernel, const Tile& tile) const;
     void launch(const Step& step, const Tile& tile, Slot& slot);
     void set_arguments(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot);
     void set_light_arguments(cl::Kernel& kernel, const Step& step, const Slot& slot, int items);
     void set_resolve_arguments(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot);
-    void read_hit_counts(const Tile& tile, Slot& slot);
     void read_planes(Output output, const Tile& tile, Slot& slot);
     void collect(size_t tile);
     void map_film();
@@ -58,8 +58,9 @@ class Scheduler {
     std::vector<cl::Buffer> planes_[4];  // for each output, when the film is written in place
     std::vector<Slot> slots_;
     std::vector<std::vector<Launched>> launched_;  // for each tile
-    std::vector<int> hit_counts_;                  // for each work-item of intersect_closest, tile after tile
-    size_t hit_counts_used_ = 0;
+    cl::Buffer hit_counts_;                        // for each work-group of intersect_closest, tile after tile
+    std::vector<int> first_groups_;                // of each tile, in hit_counts_
+    int groups_ = 0;                               // of all tiles
     Measured measured_;
 };
 

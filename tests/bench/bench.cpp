@@ -83,9 +83,10 @@ void run(Renderer& renderer, const bench::NamedScene& named, RenderOptions optio
 
 int main(int argc, char** argv) try {
     CLI::App app{"Times warm frames, and measures the error of what they show."};
-    std::string device;
+    std::string device, only;
     int runs = 21, stride = 16, lanes = 0, tile = 0;
     app.add_option("--device", device, "as gnomon's --device")->envname("GNOMON_DEVICE");
+    app.add_option("--scene", only, "this scene alone");
     app.add_option("--runs", runs, "timed frames a scene");
     app.add_option("--stride", stride, "check every n-th pixel in both directions");
     app.add_option("--lanes", lanes, "as gnomon's --lanes");
@@ -98,7 +99,8 @@ int main(int argc, char** argv) try {
     RenderOptions options;
     options.lanes = lanes;
     options.tile = tile;
-    for (const bench::NamedScene& named : bench::scenes()) run(renderer, named, options, runs, stride);
+    for (const bench::NamedScene& named : bench::scenes())
+        if (only.empty() || only == named.name) run(renderer, named, options, runs, stride);
     return 0;
 } catch (const Error& error) {
     fmt::print(stderr, "error: {}\n", error.what());
