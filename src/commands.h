@@ -33,10 +33,12 @@ class RenderCommand {
 class DevicesCommand {
   public:
     explicit DevicesCommand(CLI::App& app);
+    bool chosen() const { return command_->parsed(); }
     /// The exit code; throws Error.
     int run() const;
 
   private:
+    CLI::App* command_;
     bool json_ = false;
 };
 

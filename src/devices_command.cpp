@@ -24,8 +24,8 @@ void print(const DeviceInfo& d) {
 }  // namespace
 
 DevicesCommand::DevicesCommand(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("devices", "List the OpenCL devices, numbered as clinfo -l does.");
-    command->add_flag("--json", json_, "as JSON");
+    command_ = app.add_subcommand("devices", "List the OpenCL devices, numbered as clinfo -l does.");
+    command_->add_flag("--json", json_, "as JSON");
 }
 
 int DevicesCommand::run() const {

@@ -3,22 +3,19 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <memory>
-#include <system_error>
-#include <utility>
 
 #include "display.h"
 #include "error.h"
+#include "temporary_file.h"
 
 namespace gnomon {
 
@@ -34,50 +31,6 @@ constexpr const char* common_formats = "try .exr, .png, .tif or .jpg";
 
 /// Of zlib, 1 to 9. A 1024x768 picture of shaded spheres: level 1 130 kB in 30 ms, 3 97 kB in 30 ms, 6 69 kB in 42 ms.
 constexpr int png_compression = 3;
-
-std::string reason(int error_number) { return std::generic_category().message(error_number); }
-
-/// A file beside `target` that takes its name once it is whole, and is gone after any failure. It is written through a
-/// stream of our own since many of OpenImageIO's writers do not notice a full disk (and libjpeg's ends the program);
-/// the stream does.
-class TemporaryFile {
-  public:
-    explicit TemporaryFile(const fs::path& target)
-        : target_(target),
-          path_(target.parent_path() /
-                ("." + target.stem().string() + "." + std::to_string(getpid()) + ".tmp" + target.extension().string())),
-          stream_(std::fopen(path_.c_str(), "w+b")) {
-        if (!stream_) throw Error(Blame::run, writing_failed, path_.string(), reason(errno));
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() {
-        if (stream_) std::fclose(stream_);
-        std::error_code ignored;
-        if (!path_.empty()) fs::remove(path_, ignored);
-    }
-
-    std::string path() const { return path_.string(); }
-    std::FILE* stream() { return stream_; }
-
-    /// Throws unless all that was written has reached the file.
-    void close() {
-        const bool lost = std::ferror(stream_) != 0;
-        const bool closed = std::fclose(std::exchange(stream_, nullptr)) == 0;
-        if (lost || !closed) throw Error(Blame::run, writing_failed, target_.string(), "is the disk full?");
-    }
-
-    void move_to_target() {
-        std::error_code error;
-        fs::rename(path_, target_, error);
-        if (error) throw Error(Blame::run, writing_failed, target_.string(), error.message());
-        path_.clear();
-    }
-
-  private:
-    fs::path target_, path_;
-    std::FILE* stream_;
-};
 
 bool is_exr(const fs::path& path) {
     std::string extension = path.extension().string();
@@ -268,18 +221,10 @@ Film trial_film(const Outputs& outputs) {
     return film;
 }
 
-void check_place(const fs::path& path) {
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    const auto refuse = [&](const std::string& what, const std::string& hint) {
-        throw Error(Blame::input, what, path.string(), hint);
-    };
-    std::error_code ignored;
-    if (fs::is_directory(path, ignored)) refuse("this is a folder", "add a file name");
-    if (path.extension().string().size() < 2) refuse("the name has no extension to tell the format", common_formats);
-    if (!fs::exists(folder, ignored)) refuse("there is no folder " + folder.string(), "make it first");
-    if (!fs::is_directory(folder, ignored)) refuse(folder.string() + " is not a folder", "choose another path");
-    if (access(folder.c_str(), W_OK | X_OK) != 0)
-        refuse("cannot write to folder " + folder.string() + ": " + reason(errno), "choose another folder");
+void check_place(const std::string& path) {
+    check_folder(path);
+    if (fs::path(path).extension().string().size() < 2)
+        throw Error(Blame::input, "the name has no extension to tell the format", path, common_formats);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Strict JSON: a parser that refuses what would be guesswork, and a reader that knows where in the file it stands.
+// Values of a JSON document, each with its place: what is wrong is refused by file and JSON path.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -6,16 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "json_parse.h"
 #include "scene.h"
 
 namespace gnomon {
-
-/// Parses one document; a byte order mark at its start is skipped. `file` stands for the file in messages.
-/// Throws Error(Blame::input) for broken JSON, a key that comes twice in an object, or a number beyond double.
-nlohmann::json parse_json(const std::string& text, const std::string& file);
-
-/// Text from outside, fit for a message: in quotes, escaped to ASCII, and shortened.
-std::string quote(const std::string& text);
 
 /// One value of a document, with its file and JSON path. Every wrong value ends in Error(Blame::input), which says
 /// what was found and what is expected. The document and the file's name must outlive it.

@@ -19,7 +19,7 @@ int fail(const std::string& message, int code) {
 int main(int argc, char** argv) try {
     CLI::App app{"Renders scenes of spheres under directional and point lights with OpenCL kernels.", "gnomon"};
     app.set_version_flag("--version", "gnomon " GNOMON_VERSION);
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);
     gnomon::RenderCommand render(app);
     gnomon::DevicesCommand devices(app);
     try {
@@ -27,7 +27,10 @@ int main(int argc, char** argv) try {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;  // --help and --version are no errors
     }
-    return render.chosen() ? render.run() : devices.run();
+    if (render.chosen()) return render.run();
+    if (devices.chosen()) return devices.run();
+    fmt::print(stderr, "{}", app.help());
+    return fail("a subcommand is required: render or devices", 2);
 } catch (const gnomon::Error& error) {
     return fail(error.what(), error.exit_code());
 } catch (const std::bad_alloc&) {

@@ -8,6 +8,7 @@
 #include "error.h"
 #include "scene_io.h"
 #include "stats_json.h"
+#include "temporary_file.h"
 
 namespace gnomon {
 
@@ -100,7 +101,8 @@ RenderCommand::RenderCommand(CLI::App& app) {
     command_->add_flag("--no-shadows", no_shadows_, "let every light through");
     command_->add_option("--lanes", options_.lanes, "rays a vector: 1, 4, 8 or 16 (default: what the device likes)");
     command_->add_option("--tile", options_.tile, "rays a tile (default: what the device likes)");
-    command_->add_option("--exposure", display_.exposure, "brighten a display image by this many stops");
+    command_->add_option("--exposure", display_.exposure, "brighten a display image by this many stops")
+        ->check(CLI::Range(-100.0, 100.0));
     command_->add_option("--bits", display_.bits, "bits a channel of a display image: 8 or 16")
         ->check(CLI::IsMember({8, 16}));
     command_->add_option("--stats", stats_path_, "write what was measured, as JSON")->type_name("FILE");
@@ -115,6 +117,7 @@ void RenderCommand::say(const std::string& line) const {
 int RenderCommand::run() {
     display_.view = view_named(view_);
     for (const std::string& path : outputs_) check_writable(path, display_);
+    if (!stats_path_.empty()) check_folder(stats_path_);
     RunStats stats;
     stats.scene_path = scene_path_;
     LoadedScene loaded;

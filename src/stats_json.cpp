@@ -1,12 +1,7 @@
 #include "stats_json.h"
 
 #include <fmt/core.h>
-#include <unistd.h>
-
-#include <cstdio>
-#include <fstream>
-
-#include "error.h"
+#include <algorithm>
 
 namespace gnomon {
 
@@ -92,16 +87,6 @@ std::string summary(const RunStats& run, const DeviceInfo& device, const ImageSi
         r.build_seconds, r.prepare_seconds, r.trace_seconds, run.write_seconds,
         mrays_per_second(r.rays, r.trace_seconds), c.pixels, std::max(c.wrong_ids, c.flips),
         std::max(c.max_radiance, c.max_distance));
-}
-
-void write_text(const std::string& path, const std::string& text) {
-    const std::string temporary = path + "." + std::to_string(getpid()) + ".tmp";
-    std::ofstream out(temporary, std::ios::binary);
-    out << text;
-    out.close();
-    if (out && std::rename(temporary.c_str(), path.c_str()) == 0) return;
-    std::remove(temporary.c_str());
-    throw Error(Blame::run, "cannot write the file", path, "does its folder exist, and is there room?");
 }
 
 }  // namespace gnomon

@@ -23,7 +23,4 @@ nlohmann::ordered_json to_json(const RunStats& run, const Scene& scene, const De
 /// One line: device, picture, seconds a stage, and the speed with its error.
 std::string summary(const RunStats& run, const DeviceInfo& device, const ImageSize& image);
 
-/// Writes text by way of a temporary file, whole or not at all. Throws Error(Blame::run).
-void write_text(const std::string& path, const std::string& text);
-
 }  // namespace gnomon

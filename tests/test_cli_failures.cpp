@@ -53,8 +53,8 @@ pid_t start(const std::vector<std::string>& arguments, const std::string& out) {
 
 TEST_CASE("a wrong command line exits with 2 and says what is wrong", "[cli]") {
     check_refused(run_program(""), "subcommand");
-    check_refused(run_program("paint"), "subcommand");
-    check_refused(run_program("--fast"), "subcommand");
+    check_refused(run_program("paint"), "paint");
+    check_refused(run_program("--fast"), "--fast");
     check_refused(run_program("render"), "SCENE");
     check_refused(run_program("render " + example_path("point.json") + " --fast"), "--fast");
     check_refused(render_small("--view colour"), "colour");

@@ -1,0 +1,71 @@
+#include "temporary_file.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "error.h"
+
+namespace gnomon {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* writing_failed = "cannot write the file";
+
+std::string reason(int error_number) { return std::generic_category().message(error_number); }
+
+}  // namespace
+
+// A stream of our own, since a failed write must be noticed whoever writes through it.
+TemporaryFile::TemporaryFile(const fs::path& target)
+    : target_(target),
+      path_(target.parent_path() /
+            ("." + target.stem().string() + "." + std::to_string(getpid()) + ".tmp" + target.extension().string())),
+      stream_(std::fopen(path_.c_str(), "w+b")) {
+    if (!stream_) throw Error(Blame::run, writing_failed, path_.string(), reason(errno));
+}
+
+TemporaryFile::~TemporaryFile() {
+    if (stream_) std::fclose(stream_);
+    std::error_code ignored;  // a destructor has nobody to tell
+    if (!path_.empty()) fs::remove(path_, ignored);
+}
+
+void TemporaryFile::close() {
+    const bool lost = std::ferror(stream_) != 0;
+    const bool closed = std::fclose(std::exchange(stream_, nullptr)) == 0;
+    if (lost || !closed) throw Error(Blame::run, writing_failed, target_.string(), "is the disk full?");
+}
+
+void TemporaryFile::move_to_target() {
+    std::error_code error;
+    fs::rename(path_, target_, error);
+    if (error) throw Error(Blame::run, writing_failed, target_.string(), error.message());
+    path_.clear();
+}
+
+void check_folder(const std::string& file) {
+    const fs::path path(file), folder = path.has_parent_path() ? path.parent_path() : ".";
+    const auto refuse = [&](const std::string& what, const std::string& hint) {
+        throw Error(Blame::input, what, file, hint);
+    };
+    std::error_code ignored;  // what cannot be looked at does not exist for us
+    if (fs::is_directory(path, ignored)) refuse("this is a folder", "add a file name");
+    if (!fs::exists(folder, ignored)) refuse("there is no folder " + folder.string(), "make it first");
+    if (!fs::is_directory(folder, ignored)) refuse(folder.string() + " is not a folder", "choose another path");
+    if (access(folder.c_str(), W_OK | X_OK) != 0)
+        refuse("cannot write to folder " + folder.string() + ": " + reason(errno), "choose another folder");
+}
+
+void write_text(const std::string& path, const std::string& text) {
+    TemporaryFile file(path);
+    std::fwrite(text.data(), 1, text.size(), file.stream());
+    file.close();
+    file.move_to_target();
+}
+
+}  // namespace gnomon
