@@ -7,6 +7,7 @@
 #include "error.h"
 #include "program.h"
 #include "scheduler.h"
+#include "unit.h"
 
 namespace gnomon {
 
@@ -116,7 +117,12 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 RenderStats Renderer::render(const Scene& scene, const RenderOptions& options, Film& film) try {
-    const double start = now();
+    const double start = now(), unit = choose_unit(scene);
+    if (unit != 1) {
+        const RenderStats stats = render(in_unit(scene, unit), options, film);
+        for (float& distance : film.distance) distance = static_cast<float>(distance * unit);
+        return stats;
+    }
     const std::vector<int> ids = distinct_spheres(scene.spheres);
     const Plan plan = make_plan(scene, static_cast<int64_t>(ids.size()), options, DeviceLimits(state_->info));
     RenderStats stats = planned(plan, scene);

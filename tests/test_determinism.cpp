@@ -21,6 +21,23 @@ Scene moved(Scene scene, const Vec3& way) {
     return scene;
 }
 
+/// The scene in another unit of length, a power of two: the same picture, but for its distances.
+Scene scaled(Scene scene, double factor) {
+    scene.camera.eye = scene.camera.eye * factor;
+    scene.camera.at = scene.camera.at * factor;
+    for (Sphere& sphere : scene.spheres) {
+        sphere.center = sphere.center * factor;
+        sphere.radius *= factor;
+    }
+    for (Light& light : scene.lights)
+        if (auto* point = std::get_if<PointLight>(&light)) {
+            point->position = point->position * factor;
+            Rgb& power = point->power;
+            power = {power.r * factor * factor, power.g * factor * factor, power.b * factor * factor};
+        }
+    return scene;
+}
+
 /// The device as if its driver described it otherwise.
 std::vector<DeviceInfo> otherwise(const DeviceInfo& device) {
     std::vector<DeviceInfo> result(5, device);
@@ -91,5 +108,19 @@ TEST_CASE("far from the origin a scene looks the same", "[determinism]") {
         const Scene scene = mixed(123, 77);
         const Film film = render(renderer, scene);
         CHECK(same_bits(render(renderer, moved(scene, {0x1p20, -0x1p20, 0x1p19})), film));
+    });
+}
+
+TEST_CASE("in metres or in parsecs a scene looks the same", "[determinism]") {
+    on_every_device([](Renderer& renderer) {
+        const Scene scene = mixed(123, 77);
+        const Film film = render(renderer, scene);
+        // 2^60 cubed is beyond float, 2^-60 cubed below it; distances stay within.
+        for (const double factor : {0x1p-60, 0x1p-19, 0x1p-3, 0x1p30, 0x1p60}) {
+            INFO("factor " << factor);
+            Film other = render(renderer, scaled(scene, factor));
+            for (float& distance : other.distance) distance = static_cast<float>(distance / factor);
+            CHECK(same_bits(other, film));
+        }
     });
 }
