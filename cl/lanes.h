@@ -60,12 +60,8 @@ REDUCE_BY_HALVES(most, float, MORE)
 #define REDUCE(name, v) CONCAT(name##_of_, LANES)(v)
 #endif
 
-#if defined(__has_builtin) && LANES > 1
-#if __has_builtin(__builtin_reduce_or)
-#define HAS_REDUCE_OR
-#endif
-#endif
-#ifdef HAS_REDUCE_OR
+// A few percent faster where clang compiles for the CPU itself; by way of SPIR-V it has no translation.
+#if CLANG_TO_MACHINE && LANES > 1
 static inline int any_lane(intw mask) { return __builtin_reduce_or(mask); }
 #else
 static inline int any_lane(intw mask) { return REDUCE(or, mask); }

@@ -8,18 +8,12 @@
 
 // Where STREAM is 1 (a CPU writing into the film itself), whole lines go past the caches: nothing reads them again
 // soon, and the line need not be fetched before it is written.
-#if STREAM && defined(__has_builtin)
-#if __has_builtin(__builtin_nontemporal_store)
-#define HAS_STREAM
-#endif
-#endif
-
 static void write_row(global const int* left, global const int* right, global int* to, int pixels) {
     if (pixels < 2 * BLOCK_SIDE) {
         for (int i = 0; i < pixels; ++i) to[i] = i < BLOCK_SIDE ? left[i] : right[i - BLOCK_SIDE];
         return;
     }
-#ifdef HAS_STREAM
+#if STREAM && CLANG_TO_MACHINE
     if (((size_t)to & 63) == 0) {
         __builtin_nontemporal_store((int16)(vload8(0, left), vload8(0, right)), (global int16*)to);
         return;

@@ -9,7 +9,10 @@ namespace gnomon {
 Programs::Programs(const cl::Context& context, const cl::Device& device, const DeviceInfo& info)
     : context_(context), device_(device), device_name_(info.name) {
     // Where the device cannot round divide and sqrt correctly, cl/ieee.h corrects them.
-    if (info.correctly_rounded) common_options_ = " -D CORRECTLY_ROUNDED -cl-fp32-correctly-rounded-divide-sqrt";
+    if (info.correctly_rounded) common_options_ += " -D CORRECTLY_ROUNDED -cl-fp32-correctly-rounded-divide-sqrt";
+    // PoCL on a CPU: clang's builtins are at hand.
+    const bool pocl = info.platform_name == "Portable Computing Language" && info.type == DeviceType::cpu;
+    common_options_ += pocl ? " -D CLANG_TO_MACHINE=1" : " -D CLANG_TO_MACHINE=0";
 }
 
 std::string Programs::key(const Variant& variant) const {
