@@ -1,6 +1,7 @@
 #include "plan.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "error.h"
 
@@ -90,14 +91,22 @@ const char* define(Shadows shadows) {
     return "SHADOWS=SHADOWS_TRACED";
 }
 
+bool shines(const Light& light) {
+    const auto any = [](const Rgb& c) { return c.r > 0 || c.g > 0 || c.b > 0; };
+    const auto* point = std::get_if<PointLight>(&light);
+    return any(point ? point->power : std::get<DirectionalLight>(light).irradiance);
+}
+
 void add_lights(Chain& chain, const Scene& scene, Shadows shadows) {
+    bool first = true;
     for (size_t i = 0; i < scene.lights.size(); ++i) {
+        if (!shines(scene.lights[i])) continue;
         const bool point = std::holds_alternative<PointLight>(scene.lights[i]);
         const std::string kind = point ? "LIGHT=LIGHT_POINT" : "LIGHT=LIGHT_DIRECTIONAL";
         Step step{Kernel::intersect_shadow, 0, static_cast<int>(i)};
         if (shadows == Shadows::read) chain.add_lanes(step, {kind});
         step.kernel = Kernel::shade_light;
-        step.first = i == 0;
+        step.first = std::exchange(first, false);
         chain.add_lanes(step, {kind, define(shadows)});
     }
 }
@@ -105,7 +114,7 @@ void add_lights(Chain& chain, const Scene& scene, Shadows shadows) {
 /// Only what the scene and the outputs need: without spheres, or without anything to show of them, no launch at all.
 void add_steps(Plan& plan, const Scene& scene, const RenderOptions& options) {
     const Outputs& wanted = options.outputs;
-    const bool shaded = wanted.radiance && !scene.lights.empty();
+    const bool shaded = wanted.radiance && std::any_of(scene.lights.begin(), scene.lights.end(), shines);
     if (scene.spheres.empty() || !(shaded || wanted.distance || wanted.normal || wanted.id)) return;
     Chain chain(plan);
     chain.add_lanes({Kernel::generate_rays, 0}, {});

@@ -61,6 +61,12 @@ int64_t lights_of(const Plan& plan, size_t variant) {
     });
 }
 
+/// One launch of shade_light for each light that shines.
+int64_t shaded_lights(const Plan& plan) {
+    return std::count_if(plan.steps.begin(), plan.steps.end(),
+                         [](const Step& step) { return step.kernel == Kernel::shade_light; });
+}
+
 }  // namespace
 
 struct Renderer::State {
@@ -103,7 +109,7 @@ struct Renderer::State {
             const int64_t lights = lights_of(plan, i);
             kernel.rays = lights > 0 ? lights * measured.hits : stats.pixels;
         }
-        stats.rays = stats.pixels + (plan.shadows != Shadows::off ? stats.lights * stats.hits : 0);
+        stats.rays = stats.pixels + (plan.shadows != Shadows::off ? shaded_lights(plan) * stats.hits : 0);
     }
 };
 

@@ -50,7 +50,7 @@ Scheduler::Scheduler(const cl::Context& context, const cl::CommandQueue& queue, 
                      const SceneBuffers& scene, const std::vector<TileBuffers>& tiles, std::vector<cl::Kernel> kernels,
                      Film& film)
     : context_(context), queue_(queue), plan_(plan), scene_(scene), kernels_(std::move(kernels)), film_(film) {
-    for (const TileBuffers& buffers : tiles) slots_.push_back({buffers, {}});
+    for (const TileBuffers& buffers : tiles) slots_.push_back({buffers, {}, 0});
     launched_.resize(plan.tiles.size());
     measured_.launches.resize(plan.variants.size());
     measured_.seconds.resize(plan.variants.size());
@@ -94,6 +94,7 @@ Measured Scheduler::run(const std::function<void(double)>& progress) {
 void Scheduler::enqueue(size_t index) {
     const Tile& tile = plan_.tiles[index];
     Slot& slot = slots_[index % slots_.size()];
+    slot.first_group = first_groups_[index];
     for (const Step& step : plan_.steps) {
         launch(step, tile, slot);
         launched_[index].push_back({step.variant, slot.busy.front()});
@@ -118,13 +119,12 @@ void Scheduler::launch(const Step& step, const Tile& tile, Slot& slot) {
 void Scheduler::set_arguments(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot) {
     const TileBuffers& b = slot.buffers;
     const int items = plan_.items(step.kernel, tile);
-    const int first_group = first_groups_[static_cast<size_t>(&tile - plan_.tiles.data())];
     switch (step.kernel) {
         case Kernel::generate_rays:
             return set(kernel, scene_.eye, tile, items, b.dirs);
         case Kernel::intersect_closest:
-            return set(kernel, b.dirs, scene_.spheres, scene_.sphere_count, items, b.ts, b.normals, b.ids, first_group,
-                       hit_counts_);
+            return set(kernel, b.dirs, scene_.spheres, scene_.sphere_count, items, b.ts, b.normals, b.ids,
+                       slot.first_group, hit_counts_);
         case Kernel::intersect_shadow:
         case Kernel::shade_light:
             return set_light_arguments(kernel, step, slot, items);

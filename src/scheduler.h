@@ -33,6 +33,7 @@ class Scheduler {
     struct Slot {
         TileBuffers buffers;
         std::vector<cl::Event> busy;
+        int first_group;  // of its work-groups, in hit_counts_
     };
     struct Launched {
         int variant;

@@ -20,6 +20,7 @@ Scene scene_of(int width, int height, const std::vector<Light>& lights = {}) {
 }
 
 const Light sun = DirectionalLight{{0, 1, 0}, {1, 1, 1}}, lamp = PointLight{{0, 5, 0}, {1, 1, 1}};
+const Light dark = PointLight{{0, 5, 0}, {0, 0, 0}};
 
 Plan plan_of(const Scene& scene, const RenderOptions& options = all_outputs(), const DeviceLimits& limits = {}) {
     return make_plan(scene, static_cast<int64_t>(scene.spheres.size()), options, limits);
@@ -119,6 +120,8 @@ TEST_CASE("a tile's launches follow each other: eye, outputs, light after light,
     CHECK(steps_of(plan_of(scene_of(8, 8, {lamp, sun}), options)) ==
           std::vector<std::string>{"generate_rays", "intersect_closest", "shade_light 0 sets", "shade_light 1",
                                    "resolve radiance"});
+    CHECK(steps_of(plan_of(scene_of(8, 8, {dark, sun}), options)) ==
+          std::vector<std::string>{"generate_rays", "intersect_closest", "shade_light 1 sets", "resolve radiance"});
     options.outputs = {false, true, false, false};
     CHECK(steps_of(plan_of(scene_of(8, 8, {sun}), options)) ==
           std::vector<std::string>{"generate_rays", "intersect_closest", "resolve distance"});
@@ -130,6 +133,7 @@ TEST_CASE("a tile's launches follow each other: eye, outputs, light after light,
 TEST_CASE("nothing to trace, nothing to launch", "[plan]") {
     RenderOptions options;
     CHECK(plan_of(scene_of(8, 8), options).steps.empty());  // radiance without lights
+    CHECK(plan_of(scene_of(8, 8, {dark}), options).steps.empty());
     options.outputs = {false, false, false, false};
     CHECK(plan_of(scene_of(8, 8, {sun}), options).steps.empty());
     Scene empty = scene_of(8, 8, {sun});
