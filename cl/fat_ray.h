@@ -3,14 +3,15 @@
 // accept, so it changes time and no bit. Work-items of one ray (LANES = 1) do without.
 //
 // Rays from one apex: let a be a unit axis and h = max |dir - a|. A line along dir passes the centre f at |f x dir|,
-// which is at least |f x a| - |f| h; so a sphere with |f x a| > r + |f| h is met by none. With u = 2^-24, in units of u
-// |f|:
-//   an exact test accepts lines that pass at most 8 outside the sphere: sphere_discriminant's across is 3 roundings on
-//   values
-//     up to |f|, and b^2 - C, wrong by at most 4 |f|^2, moves the distance by 4 |f|^2 / (2 r) <= 3 |f| where r^2 >=
-//     |f|^2 / 2;
-//   |f x a| is evaluated here as |f - (f . a) a|, 3 roundings a component and an axis that is a unit vector to 3: at
-//   most 8; h is rounded 4 times, and h <= 2: at most 8; r + |f| h once more: at most 3.
+// which is at least |f x a| - |f| h; so a sphere with |f x a| > r + |f| h is met by none. In units of u |f|, u = 2^-24:
+//
+//    8  an exact test accepts lines that pass at most this far outside the sphere: sphere_discriminant's `across` is
+//       3 roundings on values up to |f|; b^2 - C, wrong by at most 4 |f|^2, moves the distance by 4 |f|^2 / (2 r),
+//       which is less than 3 |f| where r^2 >= |f|^2 / 2
+//    8  |f x a| is evaluated here as |f - (f . a) a|, 3 roundings a component, and the axis is a unit vector to 3
+//    8  h is rounded 4 times, and h <= 2
+//    3  r + |f| h, and the squares
+//
 // Together 27 < 32, so reach = r + 2^-19 max(|f|, r), rounded up, is wide enough for all.
 #ifndef GNOMON_FAT_RAY_H
 #define GNOMON_FAT_RAY_H

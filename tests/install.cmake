@@ -1,5 +1,5 @@
 # Installs the build, and uses what was installed as a stranger would: the program from another folder, the library through
-# find_package. usage: cmake -D BUILD=dir -D SOURCE=dir -P install.cmake
+# find_package. usage: cmake -D BUILD=dir -D SOURCE=dir -D GENERATOR=name -P install.cmake
 set(root ${BUILD}/install-test)
 file(REMOVE_RECURSE ${root})
 file(MAKE_DIRECTORY ${root}/consumer)
@@ -30,7 +30,7 @@ find_package(gnomon REQUIRED)
 add_executable(one_page ${SOURCE}/examples/one_page.cpp)
 target_link_libraries(one_page PRIVATE gnomon::gnomon)
 ")
-run(${CMAKE_COMMAND} -S consumer -B consumer/build -D CMAKE_PREFIX_PATH=${root}/moved)
+run(${CMAKE_COMMAND} -G ${GENERATOR} -S consumer -B consumer/build -D CMAKE_PREFIX_PATH=${root}/moved)
 run(${CMAKE_COMMAND} --build consumer/build)
 run(${root}/consumer/build/one_page one_page.png)
 expect(one_page.png)
