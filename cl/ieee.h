@@ -5,19 +5,25 @@
 #include "lanes.h"
 
 // From a quotient or root that is a few ulp off (OpenCL C 1.2, table 7.1: 2.5 ulp for x / y, 3 for sqrt) to the
-// correctly rounded one, by fma residuals: Markstein, "Computation of elementary functions on the IBM RISC System/6000
-// processor", IBM J. Res. Dev. 34 (1990), theorems for q + r y and s + r h. The first step brings the estimate within
-// one ulp, where the residual of the second is exact. Operands and results must be normal numbers away from the ends of
-// the range.
+// correctly rounded one. Operands and results must be normal numbers away from the ends of the range.
+//
+// q: the first residual step brings it within one ulp, where the residual of the second is exact; with a reciprocal
+// that is correctly rounded but for rare halves, q + r y then rounds correctly (Markstein, "Computation of elementary
+// functions on the IBM RISC System/6000 processor", IBM J. Res. Dev. 34, 1990).
 static inline floatw correct_quotient(floatw a, floatw b, floatw q, floatw reciprocal) {
     const floatw y1 = fma(fma(-b, reciprocal, wide(1.0f)), reciprocal, reciprocal);
     const floatw y = fma(fma(-b, y1, wide(1.0f)), y1, y1);
     const floatw q1 = fma(fma(-q, b, a), y, q);
     return fma(fma(-q1, b, a), y, q1);
 }
+// s: one step brings it within one ulp; Tuckerman's test then says which of three neighbours is nearest: s- if
+// s s- >= a, s+ if s s+ < a, else s. The sign of an fma is exact.
 static inline floatw correct_root(floatw a, floatw s, floatw half_reciprocal) {
     const floatw s1 = fma(fma(-s, s, a), half_reciprocal, s);
-    return fma(fma(-s1, s1, a), half_reciprocal, s1);
+    const floatw below = as_floatw(as_intw(s1) - 1), above = as_floatw(as_intw(s1) + 1);
+    const intw is_below = fma(-s1, below, a) <= 0.0f, is_above = fma(-s1, above, a) > 0.0f;
+    const floatw nearest = is_above ? above : s1;
+    return is_below ? below : nearest;
 }
 
 #ifdef CORRECTLY_ROUNDED

@@ -18,10 +18,14 @@ typedef float floatw;
 typedef int intw;
 #define LANE_INDEX 0
 #define to_floatw(i) ((float)(i))
+#define as_floatw as_float
+#define as_intw as_int
 #else
 typedef CONCAT(float, LANES) floatw;
 typedef CONCAT(int, LANES) intw;
 #define to_floatw CONCAT(convert_float, LANES)
+#define as_floatw CONCAT(as_float, LANES)
+#define as_intw CONCAT(as_int, LANES)
 #if LANES == 4
 #define LANE_INDEX ((int4)(0, 1, 2, 3))
 #elif LANES == 8

@@ -1,0 +1,94 @@
+// intersect_closest alone, and how far its roots may be off.
+#pragma once
+
+#include "kernel_harness.h"
+#include "pencil.h"
+#include "reference.h"
+
+namespace gnomon::test {
+
+/// What intersect_closest writes.
+struct Hits {
+    std::vector<float> ts, normals;
+    std::vector<int> ids, counts;
+};
+
+inline bool same_bits(const Hits& a, const Hits& b) {
+    return same_bits(a.ts, b.ts) && same_bits(a.normals, b.normals) && same_bits(a.ids, b.ids);
+}
+
+inline std::vector<int> ids_of(const Scene& scene) {
+    std::vector<int> ids(scene.spheres.size());
+    for (size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<int>(i);
+    return ids;
+}
+
+/// Launches over packed directions; checks guards, inputs and the hits counted.
+inline Hits closest(Bench& bench, Width w, const std::vector<SphereCluster>& spheres, int sphere_count,
+                    const std::vector<float>& packed_dirs) {
+    INFO(w);
+    constexpr int first_group = 3, counted_before = 1000;
+    const size_t rays = packed_dirs.size() / 3;
+    const int items = static_cast<int>(rays) / w.rays();
+    const auto groups = static_cast<size_t>((items + bench.local - 1) / bench.local);
+    const GuardedBuffer<float> dirs(bench, packed_dirs), ts(bench, rays), normals(bench, 3 * rays);
+    const GuardedBuffer<SphereCluster> clusters(bench, spheres);
+    const GuardedBuffer<int> ids(bench, rays), counts(bench, std::vector<int>(first_group + groups, counted_before));
+    bench.launch(bench.programs.get({Kernel::intersect_closest, w.defines()}).kernel, items, dirs.buffer(),
+                 clusters.buffer(), sphere_count, items, ts.buffer(), normals.buffer(), ids.buffer(), first_group,
+                 counts.buffer());
+    Hits hits{ts.read(), normals.read(), ids.read(), counts.read()};
+    dirs.check_unchanged();
+    clusters.check_unchanged();
+    std::vector<int> expected(first_group + groups, counted_before);
+    const size_t group_rays = static_cast<size_t>(w.rays() * bench.local);
+    for (size_t ray = 0; ray < rays; ++ray) expected[first_group + ray / group_rays] += hits.ids[ray] >= 0;
+    CHECK(hits.counts == expected);
+    return hits;
+}
+
+/// Of one ray a work-item, which tests every sphere, after checking that the other widths, which pass over those that
+/// their fat ray misses, give the same bits.
+inline Hits closest(Bench& bench, const Scene& scene, const std::vector<Float3>& rays) {
+    const std::vector<int> ids = ids_of(scene);
+    const std::vector<SphereCluster> spheres = spheres_from_eye(scene, ids);
+    const std::vector<float> dirs = packed(rays);
+    const Hits hits = closest(bench, widths[0], spheres, static_cast<int>(ids.size()), dirs);
+    for (const Width& w : widths) {
+        INFO(w);
+        CHECK(same_bits(closest(bench, w, spheres, static_cast<int>(ids.size()), dirs), hits));
+    }
+    return hits;
+}
+
+inline bool is_miss(const Hits& hits, size_t ray) {
+    const Float3 n = unpacked(hits.normals, ray);
+    return hits.ids[ray] == -1 && hits.ts[ray] == INFINITY && n.x == INFINITY && n.y == INFINITY && n.z == INFINITY;
+}
+
+/// How far the kernel may be off at one sphere, of centre f from the apex (a float, exact) and radius r, along d. With
+/// b = f . d, m the distance of the line from f, D = r^2 - m^2, C = |f|^2 - r^2:
+///
+/// The float direction is the rounding of a unit vector: its length is off by u. b: the dot product 3 u |f| (each term
+/// passes at most three roundings, Cauchy-Schwarz), the length u |f|: 4 u |f|.
+/// D, small form: what is wrong with b and the length moves f - b dir along the line only, by 4 + 1 = 5 u |f|, and so
+/// its square by 25 u^2 |f|^2; its own rounding is 2 u m^2, r^2's and three fma's 4 u max(r^2, m^2).
+/// D, large form: 2 b 4 u |f|, C's rounding u |C|, the fma's u |D|.
+/// Root: |sqrt(D + e) - sqrt(D)| <= min(e / sqrt(D), sqrt(e)), and its own rounding u sqrt(D).
+/// q = b +- sqrt(D): both, and u |q|. The other root C / q: relative, q's error and u each for C and the quotient.
+struct Doubt {
+    double d_error;  ///< of the discriminant
+    double t_error;  ///< of the distance that the kernel would choose
+};
+inline Doubt doubt(const Vec3& f, double r, const Vec3& d) {
+    const double f2 = dot(f, f), b = dot(f, d), m2 = dot(cross(f, d), cross(f, d)), C = f2 - r * r, D = r * r - m2;
+    const double length_f = std::sqrt(f2), root = std::sqrt(std::max(0.0, D));
+    const double e = r * r < f2 / 2 ? 25 * u * u * f2 + 2 * u * m2 + 4 * u * std::max(r * r, m2)
+                                    : 8 * u * std::fabs(b) * length_f + u * std::fabs(C) + u * std::fabs(D);
+    const double root_error = std::min(root > 0 ? e / root : INFINITY, std::sqrt(e)) + u * root;
+    const double q = b > 0 ? b + root : b - root, q_error = 4 * u * length_f + root_error + u * std::fabs(q);
+    const double t_error = C > 0 || b <= 0 ? std::fabs(C / q) * (q_error / (std::fabs(q) - q_error) + 2 * u) : q_error;
+    return {1.01 * e, 1.01 * t_error};  // a hundredth for what is of higher order in u
+}
+
+}  // namespace gnomon::test

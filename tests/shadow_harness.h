@@ -1,0 +1,148 @@
+// intersect_shadow and shade_light alone, over hits that a test makes.
+#pragma once
+
+#include "kernel_harness.h"
+#include "pencil.h"
+#include "reference.h"
+
+namespace gnomon::test {
+
+/// Hits, as intersect_closest leaves them: at t dir from the eye.
+struct Receivers {
+    std::vector<Float3> dirs, normals;
+    std::vector<float> ts;
+    std::vector<int> ids;
+
+    void add(Float3 dir, float t, Float3 normal, int id) {
+        dirs.push_back(dir);
+        ts.push_back(t);
+        normals.push_back(normal);
+        ids.push_back(id);
+    }
+    void add_miss(Float3 dir = {NAN, NAN, NAN}) { add(dir, INFINITY, {INFINITY, INFINITY, INFINITY}, -1); }
+    /// What the reference sees from the eye, rounded.
+    void see(const Scene& scene, Float3 dir) {
+        const reference::Hit hit = reference::closest_hit(scene.spheres, {scene.camera.eye, to_double(dir)});
+        add(dir, static_cast<float>(hit.t), to_float(hit.normal), hit.id);
+    }
+    size_t size() const { return ids.size(); }
+    /// Whole blocks: misses behind the last one.
+    Receivers padded() const {
+        Receivers all = *this;
+        while (all.size() % BLOCK_RAYS != 0) all.add_miss();
+        return all;
+    }
+    /// The hit that the kernels read, in double.
+    reference::Hit hit(size_t i) const {
+        const double t = static_cast<double>(ts[i]);
+        return {t, ids[i], to_double(dirs[i]) * t, to_double(normals[i])};
+    }
+};
+
+/// A light as the kernels are given it.
+struct LightSetup {
+    std::variant<ParallelPencil, PointPencil> pencil;
+    std::vector<SphereCluster> spheres;
+    int sphere_count;
+    Float3 phi;
+    std::string define;
+};
+inline LightSetup set_up(const Scene& scene, const Light& light) {
+    std::vector<int> ids(scene.spheres.size());
+    for (size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<int>(i);
+    const int count = static_cast<int>(ids.size());
+    if (const auto* point = std::get_if<PointLight>(&light)) {
+        const PointPencil pencil = point_pencil(*point, scene.camera);
+        return {pencil, spheres_from_point(pencil, scene, ids), count, lambert_factor(*point), "LIGHT=LIGHT_POINT"};
+    }
+    const auto& sun = std::get<DirectionalLight>(light);
+    const ParallelPencil pencil = parallel_pencil(sun);
+    return {pencil, spheres_along(pencil, scene, ids), count, lambert_factor(sun), "LIGHT=LIGHT_DIRECTIONAL"};
+}
+
+/// The inputs of both kernels on the device.
+struct HitBuffers {
+    GuardedBuffer<float> dirs, ts, normals;
+    GuardedBuffer<int> ids;
+    GuardedBuffer<SphereCluster> spheres;
+
+    HitBuffers(Bench& bench, const Receivers& hits, const LightSetup& light)
+        : dirs(bench, packed(hits.dirs)),
+          ts(bench, hits.ts),
+          normals(bench, packed(hits.normals)),
+          ids(bench, hits.ids),
+          spheres(bench, light.spheres) {}
+    void check_unchanged() const {
+        dirs.check_unchanged();
+        ts.check_unchanged();
+        normals.check_unchanged();
+        ids.check_unchanged();
+        spheres.check_unchanged();
+    }
+};
+
+/// Launches intersect_shadow over whole blocks of hits; checks guards and inputs.
+inline std::vector<float> arrival(Bench& bench, Width w, const Receivers& hits, const LightSetup& light) {
+    INFO(w);
+    const HitBuffers in(bench, hits, light);
+    const GuardedBuffer<float> result(bench, hits.size());
+    const int items = static_cast<int>(hits.size()) / w.rays();
+    const cl::Kernel kernel = bench.programs.get({Kernel::intersect_shadow, w.defines({light.define})}).kernel;
+    std::visit(
+        [&](const auto& pencil) {
+            bench.launch(kernel, items, in.dirs.buffer(), in.ts.buffer(), in.normals.buffer(), in.ids.buffer(),
+                         in.spheres.buffer(), light.sphere_count, pencil, items, result.buffer());
+        },
+        light.pencil);
+    in.check_unchanged();
+    return result.read();
+}
+
+/// Of one ray a work-item, which tests every sphere, after checking that the other widths, which pass over those that
+/// their fat ray misses, give the same bits.
+inline std::vector<float> arrival(Bench& bench, const Scene& scene, const Receivers& receivers, const Light& light) {
+    const Receivers hits = receivers.padded();
+    const LightSetup setup = set_up(scene, light);
+    const std::vector<float> result = arrival(bench, widths[0], hits, setup);
+    for (const Width& w : widths) {
+        INFO(w);
+        CHECK(same_bits(arrival(bench, w, hits, setup), result));
+    }
+    return result;
+}
+
+/// What shade_light is given besides.
+struct Shading {
+    std::string shadows = "SHADOWS_OFF";
+    std::vector<float> arrival;   ///< for SHADOWS_READ
+    std::vector<float> radiance;  ///< before the launch
+    bool first = false;
+};
+
+/// Launches shade_light over whole blocks of hits and returns the radiance; checks guards and inputs. What the kind of
+/// shadows does not need is a buffer of one value.
+inline std::vector<float> shade(Bench& bench, Width w, const Scene& scene, const Receivers& hits,
+                                const LightSetup& light, const Shading& shading) {
+    INFO(w << ", " << shading.shadows);
+    std::vector<Float3> rho;
+    for (const Sphere& s : scene.spheres) rho.push_back(to_float({s.albedo.r, s.albedo.g, s.albedo.b}));
+    const HitBuffers in(bench, hits, light);
+    const GuardedBuffer<Float3> albedos(bench, rho);
+    const GuardedBuffer<float> arriving(bench, shading.arrival.empty() ? sentinels<float>(1) : shading.arrival);
+    const GuardedBuffer<float> radiance(bench, shading.radiance);
+    const int items = static_cast<int>(hits.size()) / w.rays(), first = shading.first ? 1 : 0;
+    const Variant variant{Kernel::shade_light, w.defines({light.define, "SHADOWS=" + shading.shadows})};
+    std::visit(
+        [&](const auto& pencil) {
+            bench.launch(bench.programs.get(variant).kernel, items, in.dirs.buffer(), in.ts.buffer(),
+                         in.normals.buffer(), in.ids.buffer(), arriving.buffer(), in.spheres.buffer(),
+                         light.sphere_count, albedos.buffer(), pencil, light.phi, first, items, radiance.buffer());
+        },
+        light.pencil);
+    in.check_unchanged();
+    albedos.check_unchanged();
+    arriving.check_unchanged();
+    return radiance.read();
+}
+
+}  // namespace gnomon::test
