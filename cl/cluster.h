@@ -12,24 +12,17 @@ typedef struct {
 } PencilSphere;
 
 static inline PencilSphere sphere_of(global const SphereCluster* c, int i) {
-    return (PencilSphere){{c->x[i], c->y[i], c->z[i]}, c->r2[i], c->power[i], c->form[i], c->id[i]};
+    global const Bounds* b = &c->bounds;
+    return (PencilSphere){{b->x[i], b->y[i], b->z[i]}, c->r2[i], c->power[i], c->form[i], b->id[i]};
 }
 
 // The position of the lowest bit set.
 static inline int lowest_bit(int mask) { return 31 - clz(mask & -mask); }
 
-static inline int spheres_in_cluster(int cluster, int sphere_count) {
-    const int rest = sphere_count - cluster * CLUSTER;
-    return rest < CLUSTER ? (1 << rest) - 1 : (1 << CLUSTER) - 1;
-}
-
-#if LANES > 1
-// One value of LANES neighbouring spheres.
-static inline floatw cluster_lanes(global const float* values, int first) {
-    return *(global const floatw*)(values + first);
-}
+// LANES neighbouring values.
+static inline floatw lanes_at(global const float* values, int first) { return *(global const floatw*)(values + first); }
+static inline intw ids_at(global const int* values, int first) { return *(global const intw*)(values + first); }
 // A mask's lanes as bits.
 static inline int lane_bits(intw mask) { return REDUCE(or, mask & ((intw)(1) << LANE_INDEX)); }
-#endif
 
 #endif

@@ -1,6 +1,6 @@
 // A fat ray: all rays of a work-item as one, to pass over the spheres that none of them can meet, LANES spheres at a
 // time. What it keeps holds every sphere that the exact tests (sphere.h, parallel_pencil.h, point_pencil.h) could
-// accept, so it changes time and no bit. Work-items of one ray (LANES = 1) do without.
+// accept, so it changes time and no bit.
 //
 // Rays from one apex: let a be a unit axis and h = max |dir - a|. A line along dir passes the centre f at |f x dir|,
 // which is at least |f x a| - |f| h; so a sphere with |f x a| > r + |f| h is met by none. In units of u |f|, u = 2^-24:
@@ -12,13 +12,12 @@
 //    8  h is rounded 4 times, and h <= 2
 //    3  r + |f| h, and the squares
 //
-// Together 27 < 32, so reach = r + 2^-19 max(|f|, r), rounded up, is wide enough for all.
+// Together 27 < 32, so reach = r + 2^-19 max(|f|, r), rounded up, is wide enough for all. A ball that holds spheres
+// with |f| <= |F| + R adds their 8, for 2 max(|F|, R), to its own 19: 35 < 64, so its reach is R + 2^-18 max(|F|, R).
 #ifndef GNOMON_FAT_RAY_H
 #define GNOMON_FAT_RAY_H
 
 #include "cluster.h"
-
-#if LANES > 1
 
 // All rays of a work-item that leave one apex, as far as `distance`.
 typedef struct {
@@ -45,20 +44,18 @@ static inline FatRay fat_ray(const vec3w* dir, const intw* open) {
     return (FatRay){axis, wide(sqrt(REDUCE(most, widest))), wide(INFINITY)};
 }
 
-// Which spheres of a cluster the fat ray may meet: those that it cannot be shown to miss, so that NaN keeps them all.
-static inline int candidates(FatRay fat, global const SphereCluster* c) {
+// Which of 16 the fat ray may meet: those that it cannot be shown to miss, so that NaN keeps them.
+static inline int candidates(FatRay fat, global const Bounds* b) {
     int kept = 0;
     for (int first = 0; first < CLUSTER; first += LANES) {
-        const vec3w f = {cluster_lanes(c->x, first), cluster_lanes(c->y, first), cluster_lanes(c->z, first)};
-        const floatw distance = cluster_lanes(c->distance, first), reach = cluster_lanes(c->reach, first);
+        const vec3w f = {lanes_at(b->x, first), lanes_at(b->y, first), lanes_at(b->z, first)};
+        const floatw distance = lanes_at(b->distance, first), reach = lanes_at(b->reach, first);
         const vec3w across = fma_w(-dot_w(f, fat.axis), fat.axis, f);
         const floatw limit = fma(distance, fat.h, reach);
         const intw misses = (dot_w(across, across) > limit * limit) | (distance - reach > fat.distance);
-        kept |= lane_bits(!misses) << first;
+        kept |= lane_bits(!(misses | (ids_at(b->id, first) < 0))) << first;
     }
     return kept;
 }
-
-#endif
 
 #endif

@@ -1,11 +1,15 @@
 // intersect_closest: the first sphere that each ray of the eye's pencil meets.
 //
-// Reads dirs (block order, 3 a ray) and the spheres as the eye sees them, ascending in id. Writes per ray t, the
+// Reads dirs (block order, 3 a ray) and the hierarchy of the spheres as the eye sees them. Writes per ray t, the
 // outward unit normal and the id (a miss: +inf, (inf, inf, inf), -1); adds to hit_counts[first_group + g] how many rays
 // of work-group g hit. One work-item: PACKETS * LANES neighbouring rays of a block against the spheres that their fat
 // ray may meet.
 #include "fat_ray.h"
 #include "sphere.h"
+
+#define FAT FatRay
+#define CANDIDATES candidates
+#include "hierarchy.h"
 
 // The closest hit so far.
 typedef struct {
@@ -14,17 +18,26 @@ typedef struct {
     vec3w center;
 } Hit;
 
-static inline void intersect(PencilSphere s, vec3w dir, Hit* hit) {
+// 1 when some ray has a closer hit now.
+static inline int intersect(PencilSphere s, vec3w dir, Hit* hit) {
     const floatw b = dot_f(s.center, dir);
     const floatw discriminant = sphere_discriminant(s, dir, b);
     const intw meets = sphere_meets(s, b, discriminant);
-    if (!any_lane(meets)) return;
+    if (!any_lane(meets)) return 0;
     const floatw t = sphere_root(s, b, discriminant);
-    // Strictly closer: ids ascend, so of equal distances the lowest id stays.
-    const intw closer = meets & (t > 0.0f) & (t < hit->t);
+    // Of equal distances the lowest id's.
+    const intw closer = meets & (t > 0.0f) & ((t < hit->t) | ((t == hit->t) & (hit->id > s.id)));
     hit->t = closer ? t : hit->t;
     hit->id = closer ? (intw)(s.id) : hit->id;
     hit->center = select_w(closer, broadcast(s.center), hit->center);
+    return 1;
+}
+
+// Where the farthest of the closest hits is; rays that are none do not count.
+static inline float farthest_hit(const Hit* hit, const intw* valid) {
+    floatw farthest = wide(0.0f);
+    FOR_PACKETS(k) farthest = MORE(valid[k] ? hit[k].t : wide(0.0f), farthest);
+    return REDUCE(most, farthest);
 }
 
 static inline vec3w outward_normal(Hit hit, vec3w dir) {
@@ -36,9 +49,9 @@ static inline vec3w outward_normal(Hit hit, vec3w dir) {
 }
 
 kernel void intersect_closest(global const float* restrict dirs, global const SphereCluster* restrict clusters,
-                              const int sphere_count, const int items, global float* restrict ts,
-                              global float* restrict normals, global int* restrict ids, const int first_group,
-                              global int* restrict hit_counts) {
+                              global const Bounds* restrict nodes, const int levels, const int last, const int items,
+                              global float* restrict ts, global float* restrict normals, global int* restrict ids,
+                              const int first_group, global int* restrict hit_counts) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
     vec3w dir[PACKETS];
@@ -47,20 +60,22 @@ kernel void intersect_closest(global const float* restrict dirs, global const Sp
         dir[k] = load_3(dirs, item, k);
         hit[k] = (Hit){wide(INFINITY), (intw)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}};
     }
-#if LANES > 1
     intw valid[PACKETS];
     FOR_PACKETS(k) valid[k] = dir[k].x == dir[k].x;  // pixels outside the image are NaN
-    const FatRay fat = fat_ray(dir, valid);
-#endif
-    for (int c = 0; c * CLUSTER < sphere_count; ++c) {
-        int rest = spheres_in_cluster(c, sphere_count);
-#if LANES > 1
-        rest &= candidates(fat, clusters + c);
-#endif
-        for (; rest; rest &= rest - 1) {
+    const Hierarchy hierarchy = {clusters, nodes, levels, last};
+    FatRay fat = fat_ray(dir, valid);
+    Traversal traversal = begin(hierarchy, fat);
+    for (int c; (c = next_cluster(hierarchy, &traversal, fat)) >= 0;) {
+        int closer = 0;
+        for (int rest = candidates(fat, &clusters[c].bounds); rest; rest &= rest - 1) {
             const PencilSphere s = sphere_of(clusters + c, lowest_bit(rest));
-            FOR_PACKETS(k) intersect(s, dir[k], &hit[k]);
+            FOR_PACKETS(k) closer |= intersect(s, dir[k], &hit[k]);
         }
+#if LEVELS > 0
+        if (!closer) continue;
+        traversal.farthest = farthest_hit(hit, valid);
+        fat.distance = wide(traversal.farthest);
+#endif
     }
     intw hits = 0;
     FOR_PACKETS(k) {

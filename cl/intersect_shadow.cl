@@ -7,11 +7,13 @@
 
 kernel void intersect_shadow(global const float* restrict dirs, global const float* restrict ts,
                              global const float* restrict normals, global const int* restrict ids,
-                             global const SphereCluster* restrict clusters, const int sphere_count,
-                             const LightPencil light, const int items, global float* restrict arrival) {
+                             global const SphereCluster* restrict clusters, global const Bounds* restrict nodes,
+                             const int levels, const int last, const float group_depth, const LightPencil light,
+                             const int items, global float* restrict arrival) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
     floatw share[PACKETS];
-    trace_shadows((Hits){dirs, ts, normals, ids}, clusters, sphere_count, light, item, share);
+    const Hierarchy hierarchy = {clusters, nodes, levels, last};
+    trace_shadows((Hits){dirs, ts, normals, ids}, hierarchy, light, group_depth, item, share);
     FOR_PACKETS(k) store_f(share[k], arrival, item, k);
 }

@@ -40,8 +40,6 @@ static inline intw occludes(PencilSphere s, ShadowRay ray) {
     return ray.squared < wide(s.r2) ? by_power : by_disc;
 }
 
-#if LANES > 1
-
 // All shadow rays of a work-item: across the light no wider than this rectangle, and none starts behind `back`.
 typedef struct {
     float x0, x1, y0, y1, back;
@@ -65,18 +63,16 @@ static inline FatShadowRay fat_shadow_ray(const ShadowRay* ray, const intw* open
 // Which spheres of a cluster may occlude one of the rays. occludes() accepts rays that pass at most 8 u max(|c|, r)
 // outside a sphere, by the errors given there (for `power` divided by 2 r, where |p| < r and |c| < 1.5 r); the sums
 // here round once, by less than 3 u max(|c|, r). The sphere's reach, r + 32 u max(|c|, r) (fat_ray.h), holds both.
-static inline int shadow_candidates(FatShadowRay fat, global const SphereCluster* c) {
+static inline int shadow_candidates(FatShadowRay fat, global const Bounds* b) {
     int kept = 0;
     for (int first = 0; first < CLUSTER; first += LANES) {
-        const floatw x = cluster_lanes(c->x, first), y = cluster_lanes(c->y, first), z = cluster_lanes(c->z, first);
-        const floatw reach = cluster_lanes(c->reach, first);
+        const floatw x = lanes_at(b->x, first), y = lanes_at(b->y, first), z = lanes_at(b->z, first);
+        const floatw reach = lanes_at(b->reach, first);
         const intw misses = (x - reach > fat.x1) | (x + reach < fat.x0) | (y - reach > fat.y1) | (y + reach < fat.y0) |
                             (z + reach < fat.back);
-        kept |= lane_bits(!misses) << first;
+        kept |= lane_bits(!(misses | (ids_at(b->id, first) < 0))) << first;
     }
     return kept;
 }
-
-#endif
 
 #endif

@@ -48,8 +48,6 @@ static inline intw occludes(PencilSphere s, ShadowRay ray) {
     return wide(s.power) > 0.0f ? outside : inside;
 }
 
-#if LANES > 1
-
 // All shadow rays of a work-item leave the light: see fat_ray.h.
 typedef FatRay FatShadowRay;
 
@@ -65,8 +63,6 @@ static inline FatShadowRay fat_shadow_ray(const ShadowRay* ray, const intw* open
     return fat;
 }
 
-static inline int shadow_candidates(FatShadowRay fat, global const SphereCluster* c) { return candidates(fat, c); }
-
-#endif
+static inline int shadow_candidates(FatShadowRay fat, global const Bounds* b) { return candidates(fat, b); }
 
 #endif

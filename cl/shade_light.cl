@@ -21,14 +21,16 @@ static inline vec3w albedo_of(global const Float3* restrict albedos, intw id, in
 kernel void shade_light(global const float* restrict dirs, global const float* restrict ts,
                         global const float* restrict normals, global const int* restrict ids,
                         global const float* restrict arrival, global const SphereCluster* restrict clusters,
-                        const int sphere_count, global const Float3* restrict albedos, const LightPencil light,
-                        const Float3 phi, const int first, const int items, global float* restrict radiance) {
+                        global const Bounds* restrict nodes, const int levels, const int last, const float group_depth,
+                        global const Float3* restrict albedos, const LightPencil light, const Float3 phi,
+                        const int first, const int items, global float* restrict radiance) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
     const Hits hits = {dirs, ts, normals, ids};
     floatw share[PACKETS];
 #if SHADOWS == SHADOWS_TRACED
-    trace_shadows(hits, clusters, sphere_count, light, item, share);
+    const Hierarchy hierarchy = {clusters, nodes, levels, last};
+    trace_shadows(hits, hierarchy, light, group_depth, item, share);
 #elif SHADOWS == SHADOWS_READ
     FOR_PACKETS(k) share[k] = load_f(arrival, item, k);
 #else

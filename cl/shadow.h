@@ -9,6 +9,10 @@
 
 #include "light_pencil.h"
 
+#define FAT FatShadowRay
+#define CANDIDATES shadow_candidates
+#include "hierarchy.h"
+
 // What intersect_closest wrote, with the rays that it read.
 typedef struct {
     global const float *dirs, *ts, *normals;
@@ -23,48 +27,71 @@ static inline floatw unshadowed(Hits hits, LightPencil light, int item, int k) {
     return lit ? share : wide(0.0f);
 }
 
-static inline int any_open(const floatw* share) {
+static inline int any_open(const intw* open) {
     intw any = 0;
-    FOR_PACKETS(k) any |= share[k] > 0.0f;
+    FOR_PACKETS(k) any |= open[k];
     return any_lane(any);
 }
 
-// Takes from the hits that the sphere occludes what they had; the result is not 0 when there were any.
-static inline int occlude(PencilSphere s, const ShadowRay* ray, const intw* id, floatw* share) {
+// Takes from the open hits that the sphere occludes what they had; the result is not 0 when there were any.
+static inline int occlude(PencilSphere s, const ShadowRay* ray, const intw* id, intw* open, floatw* share) {
     int changed = 0;
     FOR_PACKETS(k) {
-        const intw closes = (share[k] > 0.0f) & occludes(s, ray[k]) & (id[k] != s.id);
+        const intw closes = open[k] & occludes(s, ray[k]) & (id[k] != s.id);
         if (!any_lane(closes)) continue;
         share[k] = closes ? wide(0.0f) : share[k];
+        open[k] &= !closes;
         changed = 1;
     }
     return changed;
 }
 
-// share[k]: what arrives at the hits of packet k.
-static inline void trace_shadows(Hits hits, global const SphereCluster* clusters, int sphere_count, LightPencil light,
-                                 int item, floatw* share) {
+// Traces the open rays as one fat ray.
+static inline void trace_group(Hierarchy hierarchy, const ShadowRay* ray, const intw* id, intw* open, floatw* share) {
+    const FatShadowRay fat = fat_shadow_ray(ray, open);
+    Traversal traversal = begin(hierarchy, fat);
+    for (int c; (c = next_cluster(hierarchy, &traversal, fat)) >= 0;)
+        for (int rest = shadow_candidates(fat, &hierarchy.clusters[c].bounds); rest; rest &= rest - 1) {
+            const PencilSphere s = sphere_of(hierarchy.clusters + c, lowest_bit(rest));
+            if (occlude(s, ray, id, open, share) && !any_open(open)) return;
+        }
+}
+
+// Takes from `left` the hits that are not much farther from the eye than the nearest of them: neighbours, in a block,
+// whose shadow rays stay together.
+static inline void take_group(const floatw* t, float group_depth, intw* left, intw* group) {
+    floatw nearest = wide(INFINITY);
+    FOR_PACKETS(k) nearest = LESS(left[k] ? t[k] : nearest, nearest);
+    const floatw limit = wide(REDUCE(least, nearest) * group_depth);
+    FOR_PACKETS(k) {
+        group[k] = left[k] & (t[k] <= limit);
+        left[k] &= !group[k];
+    }
+}
+
+// share[k]: what arrives at the hits of packet k. Where there are levels, hits whose distances from the eye differ by
+// less than the factor group_depth
+// (> 1) are traced together.
+static inline void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil light, float group_depth, int item,
+                                 floatw* share) {
     ShadowRay ray[PACKETS];
-    intw id[PACKETS];
+    floatw t[PACKETS];
+    intw id[PACKETS], left[PACKETS], group[PACKETS];
     FOR_PACKETS(k) {
         share[k] = unshadowed(hits, light, item, k);
+        left[k] = share[k] > 0.0f;
         id[k] = load_i(hits.ids, item, k);
-        ray[k] = shadow_ray(light, scale_w(load_f(hits.ts, item, k), load_3(hits.dirs, item, k)));
+        t[k] = load_f(hits.ts, item, k);
+        ray[k] = shadow_ray(light, scale_w(t[k], load_3(hits.dirs, item, k)));
     }
-    if (!any_open(share)) return;
-#if LANES > 1
-    intw open[PACKETS];
-    FOR_PACKETS(k) open[k] = share[k] > 0.0f;
-    const FatShadowRay fat = fat_shadow_ray(ray, open);
-#endif
-    for (int c = 0; c * CLUSTER < sphere_count; ++c) {
-        int rest = spheres_in_cluster(c, sphere_count);
-#if LANES > 1
-        rest &= shadow_candidates(fat, clusters + c);
-#endif
-        for (; rest; rest &= rest - 1)
-            if (occlude(sphere_of(clusters + c, lowest_bit(rest)), ray, id, share) && !any_open(share)) return;
+#if LEVELS == 0
+    if (any_open(left)) trace_group(hierarchy, ray, id, left, share);
+#else
+    while (any_open(left)) {
+        take_group(t, group_depth, left, group);
+        trace_group(hierarchy, ray, id, group, share);
     }
+#endif
 }
 
 #endif

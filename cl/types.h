@@ -29,18 +29,25 @@ typedef struct {
     float x, y, z;
 } Float3;
 
-// Spheres as one pencil sees them, 16 at a time, computed in double and rounded once. Places that no sphere fills have
-// reach -1 and distance 0.
+// What a fat ray is tested against, 16 at a time: spheres as one pencil sees them, or balls that hold 16 of the level
+// below. Computed in double and rounded once. Places that nothing fills have id -1.
 #define CLUSTER 16
 typedef struct {
-    float x[CLUSTER], y[CLUSTER],
-        z[CLUSTER];        // centre from the pencil's apex; for a parallel pencil from the eye, in its basis
+    float x[CLUSTER], y[CLUSTER], z[CLUSTER];  // centre from the pencil's apex; parallel: from the eye, in its basis
+    float distance[CLUSTER], reach[CLUSTER];   // |centre| and the radius, both rounded up and out: see fat_ray.h
+    int id[CLUSTER];                           // a sphere's index in the scene; a ball's node or cluster
+} Bounds;
+
+// Spheres: what else the exact tests need.
+typedef struct {
+    Bounds bounds;
     float r2[CLUSTER];     // radius^2
-    float power[CLUSTER];  // |centre|^2 - r^2, the power of the apex (parallel: of the eye): < 0 inside
-    float distance[CLUSTER], reach[CLUSTER];  // |centre| and the radius, both rounded up and out: see fat_ray.h
-    int form[CLUSTER];                        // FORM_SMALL or FORM_LARGE
-    int id[CLUSTER];                          // index in the scene
+    float power[CLUSTER];  // |centre|^2 - radius^2, the power of the apex (parallel: of the eye): < 0 inside
+    int form[CLUSTER];     // FORM_SMALL or FORM_LARGE
 } SphereCluster;
+
+// 16^8 spheres are more than an int counts.
+#define MAX_LEVELS 8
 
 // Rays from the eye: pixel (i, j) looks along forward + (2i + 1 - width) right + (height - 1 - 2j) up.
 typedef struct {
@@ -67,6 +74,7 @@ typedef struct {
 } Tile;
 
 typedef char assert_size_of_Float3[sizeof(Float3) == 12 ? 1 : -1];
+typedef char assert_size_of_Bounds[sizeof(Bounds) == 6 * 4 * CLUSTER ? 1 : -1];
 typedef char assert_size_of_SphereCluster[sizeof(SphereCluster) == 9 * 4 * CLUSTER ? 1 : -1];
 typedef char assert_size_of_EyePencil[sizeof(EyePencil) == 44 ? 1 : -1];
 typedef char assert_size_of_ParallelPencil[sizeof(ParallelPencil) == 36 ? 1 : -1];

@@ -7,8 +7,16 @@ namespace gnomon {
 namespace {
 
 template <class T>
-cl::Buffer constant(const cl::Context& context, std::vector<T> values) {
-    return cl::Buffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, values.size() * sizeof(T), values.data());
+cl::Buffer constant(const cl::Context& context, const std::vector<T>& values) {
+    // The binding takes what it copies from as not const.
+    return cl::Buffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, values.size() * sizeof(T),
+                      const_cast<T*>(values.data()));
+}
+
+SphereBuffers spheres_of(const cl::Context& context, const PencilSpheres& spheres) {
+    SphereBuffers buffers{constant(context, spheres.clusters), {}, spheres.levels, spheres.last()};
+    if (spheres.levels > 0) buffers.nodes = constant(context, spheres.nodes);
+    return buffers;
 }
 
 std::vector<Float3> albedos_of(const std::vector<Sphere>& spheres) {
@@ -24,19 +32,19 @@ std::vector<Float3> albedos_of(const std::vector<Sphere>& spheres) {
 struct LightUpload {
     const cl::Context& context;
     const Scene& scene;
-    const std::vector<int>& ids;
+    const Hierarchy& hierarchy;
     bool shadows;
 
     LightBuffers operator()(const DirectionalLight& light) const {
         const ParallelPencil pencil = parallel_pencil(light);
         LightBuffers buffers{pencil, lambert_factor(light), {}};
-        if (shadows) buffers.spheres = constant(context, spheres_along(pencil, scene, ids));
+        if (shadows) buffers.spheres = spheres_of(context, seen_along(pencil, scene.camera, hierarchy));
         return buffers;
     }
     LightBuffers operator()(const PointLight& light) const {
         const PointPencil pencil = point_pencil(light, scene.camera);
         LightBuffers buffers{pencil, lambert_factor(light), {}};
-        if (shadows) buffers.spheres = constant(context, spheres_from_point(pencil, scene, ids));
+        if (shadows) buffers.spheres = spheres_of(context, seen_from_point(pencil, scene.camera, hierarchy));
         return buffers;
     }
 };
@@ -59,15 +67,15 @@ TileBuffers allocate_tile(const cl::Context& context, const Plan& plan) {
 
 }  // namespace
 
-SceneBuffers upload(const cl::Context& context, const Scene& scene, const std::vector<int>& ids, const Plan& plan) {
+SceneBuffers upload(const cl::Context& context, const Scene& scene, const Hierarchy& hierarchy, const Plan& plan) {
     SceneBuffers buffers;
     buffers.eye = eye_pencil(scene.camera, scene.image);
-    buffers.sphere_count = static_cast<int>(ids.size());
-    buffers.spheres = constant(context, spheres_from_eye(scene, ids));
+    buffers.spheres = spheres_of(context, seen_from_eye(scene.camera, hierarchy));
     if (!plan.uses(Kernel::shade_light)) return buffers;
     buffers.albedos = constant(context, albedos_of(scene.spheres));
     for (const Light& light : scene.lights)
-        buffers.lights.push_back(std::visit(LightUpload{context, scene, ids, plan.shadows != Shadows::off}, light));
+        buffers.lights.push_back(
+            std::visit(LightUpload{context, scene, hierarchy, plan.shadows != Shadows::off}, light));
     return buffers;
 }
 

@@ -6,28 +6,33 @@
 #include <vector>
 
 #include "opencl.h"
-#include "pencil.h"
+#include "pencil_spheres.h"
 #include "plan.h"
 
 namespace gnomon {
+
+/// The spheres as one pencil sees them: cl/hierarchy.h.
+struct SphereBuffers {
+    cl::Buffer clusters, nodes;
+    int levels = 0, last = 0;
+};
 
 /// One light: its pencil and factor, passed by value, and the spheres as its rays see them (when shadows are on).
 struct LightBuffers {
     std::variant<ParallelPencil, PointPencil> pencil;
     Float3 phi{};
-    cl::Buffer spheres;
+    SphereBuffers spheres;
 };
 
 struct SceneBuffers {
     EyePencil eye{};
-    int sphere_count = 0;  ///< in every list of spheres
-    cl::Buffer spheres;    ///< as the eye sees them
-    cl::Buffer albedos;    ///< Float3 for each id
+    SphereBuffers spheres;  ///< as the eye sees them
+    cl::Buffer albedos;     ///< Float3 for each id
     std::vector<LightBuffers> lights;
 };
 
-/// The scene as the plan's steps need it; `ids` are the distinct spheres.
-SceneBuffers upload(const cl::Context& context, const Scene& scene, const std::vector<int>& ids, const Plan& plan);
+/// The scene as the plan's steps need it.
+SceneBuffers upload(const cl::Context& context, const Scene& scene, const Hierarchy& hierarchy, const Plan& plan);
 
 /// Rays and hits of one tile, in block order; planes receives the film's part where it is not written in place.
 struct TileBuffers {

@@ -1,9 +1,11 @@
 #include "plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "error.h"
+#include "hierarchy.h"
 
 namespace gnomon {
 
@@ -69,6 +71,11 @@ class Chain {
                        {"LANES=" + std::to_string(plan_.lanes), "PACKETS=" + std::to_string(plan_.packets)});
         add(step, defines);
     }
+    /// For a kernel that meets the spheres.
+    void add_tracing(Step step, std::vector<std::string> defines) {
+        defines.push_back(plan_.flat() ? "LEVELS=0" : "LEVELS=1");
+        add_lanes(step, defines);
+    }
     void resolve(Output output) {
         Step step{Kernel::resolve, 0};
         step.output = output;
@@ -104,10 +111,10 @@ void add_lights(Chain& chain, const Scene& scene, Shadows shadows) {
         const bool point = std::holds_alternative<PointLight>(scene.lights[i]);
         const std::string kind = point ? "LIGHT=LIGHT_POINT" : "LIGHT=LIGHT_DIRECTIONAL";
         Step step{Kernel::intersect_shadow, 0, static_cast<int>(i)};
-        if (shadows == Shadows::read) chain.add_lanes(step, {kind});
+        if (shadows == Shadows::read) chain.add_tracing(step, {kind});
         step.kernel = Kernel::shade_light;
         step.first = std::exchange(first, false);
-        chain.add_lanes(step, {kind, define(shadows)});
+        chain.add_tracing(step, {kind, define(shadows)});
     }
 }
 
@@ -118,7 +125,7 @@ void add_steps(Plan& plan, const Scene& scene, const RenderOptions& options) {
     if (scene.spheres.empty() || !(shaded || wanted.distance || wanted.normal || wanted.id)) return;
     Chain chain(plan);
     chain.add_lanes({Kernel::generate_rays, 0}, {});
-    chain.add_lanes({Kernel::intersect_closest, 0}, {});
+    chain.add_tracing({Kernel::intersect_closest, 0}, {});
     if (wanted.distance) chain.resolve(Output::distance);
     if (wanted.normal) chain.resolve(Output::normal);
     if (wanted.id) chain.resolve(Output::id);
@@ -131,9 +138,20 @@ uint64_t cluster_bytes(int64_t spheres) {
     return static_cast<uint64_t>((spheres + CLUSTER - 1) / CLUSTER) * sizeof(SphereCluster);
 }
 
+/// Nodes over the clusters: a fifteenth as many, and one a level for what does not divide.
+uint64_t node_bytes(int64_t spheres) {
+    return (static_cast<uint64_t>(spheres) / (CLUSTER * (CLUSTER - 1)) + MAX_LEVELS) * sizeof(Bounds);
+}
+
+/// A block of receivers is traced as one while its depth is not much more than its width: 16 times the 8 pixels.
+float group_depth(const Scene& scene) {
+    const double pixel = 2 * std::tan(scene.camera.fov * 3.14159265358979323846 / 360) / scene.image.height;
+    return static_cast<float>(1 + 16 * BLOCK_SIDE * pixel);
+}
+
 uint64_t scene_bytes(const Scene& scene, int64_t distinct, const RenderOptions& options) {
     const uint64_t pencils = 1 + (options.shadows ? scene.lights.size() : 0);
-    return pencils * cluster_bytes(distinct) + scene.spheres.size() * sizeof(Float3);
+    return pencils * (cluster_bytes(distinct) + node_bytes(distinct)) + scene.spheres.size() * sizeof(Float3);
 }
 
 void check_memory(const Plan& plan, int64_t distinct, const DeviceLimits& limits) {
@@ -186,6 +204,8 @@ int Plan::items(Kernel kernel, const Tile& tile) const {
     return (tile.blocks_x + 1) / 2 * (tile.blocks / tile.blocks_x) * BLOCK_SIDE;
 }
 
+bool Plan::flat() const { return spheres <= static_cast<int64_t>(flat_spheres); }
+
 bool Plan::uses(Kernel kernel) const {
     return std::any_of(steps.begin(), steps.end(), [=](const Step& s) { return s.kernel == kernel; });
 }
@@ -198,6 +218,7 @@ Plan make_plan(const Scene& scene, int64_t distinct, const RenderOptions& option
     plan.local_size = static_cast<int>(std::min<uint64_t>(limits.cpu ? 16 : 64, limits.max_work_group));
     plan.tiles = cut(scene.image, tile_rays(options.tile, limits));
     plan.spheres = distinct;
+    plan.group_depth = group_depth(scene);
     const uint64_t plane_bytes =
         static_cast<uint64_t>(scene.image.width) * static_cast<uint64_t>(scene.image.height) * 4;
     plan.write_in_place = limits.shares_memory && plane_bytes <= limits.max_alloc_bytes;

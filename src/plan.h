@@ -58,11 +58,13 @@ struct Plan {
     std::vector<Tile> tiles;        ///< covering the image, row by row
     std::vector<Variant> variants;  ///< the kernels to build: these and no others
     std::vector<Step> steps;        ///< for each tile, in order; empty when there is nothing to trace
-    int64_t spheres = 0;            ///< distinct ones
-    uint64_t device_bytes = 0;      ///< all buffers together
+    float group_depth = 0;      ///< receivers whose distances differ by no more than this factor are traced together
+    int64_t spheres = 0;        ///< distinct ones
+    uint64_t device_bytes = 0;  ///< all buffers together
 
     int rays_per_item() const { return lanes * packets; }
     int items(Kernel kernel, const Tile& tile) const;
+    bool flat() const;               ///< so few spheres that their clusters are visited one after the other
     bool uses(Kernel kernel) const;  ///< some step launches it
 };
 

@@ -129,8 +129,9 @@ RenderStats Renderer::render(const Scene& scene, const RenderOptions& options, F
         for (float& distance : film.distance) distance = static_cast<float>(distance * unit);
         return stats;
     }
-    const std::vector<int> ids = distinct_spheres(scene.spheres);
-    const Plan plan = make_plan(scene, static_cast<int64_t>(ids.size()), options, DeviceLimits(state_->info));
+    const Hierarchy hierarchy = build_hierarchy(scene.spheres);
+    const auto distinct = static_cast<int64_t>(hierarchy.order.size());
+    const Plan plan = make_plan(scene, distinct, options, DeviceLimits(state_->info));
     RenderStats stats = planned(plan, scene);
     if (!fits(film, scene.image, options.outputs)) film = Film(scene.image.width, scene.image.height, options.outputs);
     fill_untouched(film, plan);
@@ -138,7 +139,7 @@ RenderStats Renderer::render(const Scene& scene, const RenderOptions& options, F
     const double planned_at = now();
     const std::vector<cl::Kernel> kernels = state_->build(plan, stats);
     const double built_at = now();
-    const SceneBuffers buffers = upload(state_->context, scene, ids, plan);
+    const SceneBuffers buffers = upload(state_->context, scene, hierarchy, plan);
     const double uploaded_at = now();
     state_->trace(plan, buffers, kernels, film, options.progress, stats);
     stats.trace_seconds = now() - uploaded_at;

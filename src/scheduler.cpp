@@ -123,8 +123,8 @@ void Scheduler::set_arguments(cl::Kernel& kernel, const Step& step, const Tile& 
         case Kernel::generate_rays:
             return set(kernel, scene_.eye, tile, items, b.dirs);
         case Kernel::intersect_closest:
-            return set(kernel, b.dirs, scene_.spheres, scene_.sphere_count, items, b.ts, b.normals, b.ids,
-                       slot.first_group, hit_counts_);
+            return set(kernel, b.dirs, scene_.spheres.clusters, scene_.spheres.nodes, scene_.spheres.levels,
+                       scene_.spheres.last, items, b.ts, b.normals, b.ids, slot.first_group, hit_counts_);
         case Kernel::intersect_shadow:
         case Kernel::shade_light:
             return set_light_arguments(kernel, step, slot, items);
@@ -136,13 +136,15 @@ void Scheduler::set_arguments(cl::Kernel& kernel, const Step& step, const Tile& 
 void Scheduler::set_light_arguments(cl::Kernel& kernel, const Step& step, const Slot& slot, int items) {
     const TileBuffers& b = slot.buffers;
     const LightBuffers& light = scene_.lights[static_cast<size_t>(step.light)];
+    const SphereBuffers& s = light.spheres;
     const int first = step.first ? 1 : 0;
     const auto with = [&](const auto& pencil) {
         if (step.kernel == Kernel::intersect_shadow)
-            set(kernel, b.dirs, b.ts, b.normals, b.ids, light.spheres, scene_.sphere_count, pencil, items, b.arrival);
+            set(kernel, b.dirs, b.ts, b.normals, b.ids, s.clusters, s.nodes, s.levels, s.last, plan_.group_depth,
+                pencil, items, b.arrival);
         else
-            set(kernel, b.dirs, b.ts, b.normals, b.ids, b.arrival, light.spheres, scene_.sphere_count, scene_.albedos,
-                pencil, light.phi, first, items, b.radiance);
+            set(kernel, b.dirs, b.ts, b.normals, b.ids, b.arrival, s.clusters, s.nodes, s.levels, s.last,
+                plan_.group_depth, scene_.albedos, pencil, light.phi, first, items, b.radiance);
     };
     std::visit(with, light.pencil);
 }

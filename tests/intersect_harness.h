@@ -1,8 +1,8 @@
 // intersect_closest alone, and how far its roots may be off.
 #pragma once
 
+#include "guarded_spheres.h"
 #include "kernel_harness.h"
-#include "pencil.h"
 #include "reference.h"
 
 namespace gnomon::test {
@@ -17,29 +17,24 @@ inline bool same_bits(const Hits& a, const Hits& b) {
     return same_bits(a.ts, b.ts) && same_bits(a.normals, b.normals) && same_bits(a.ids, b.ids);
 }
 
-inline std::vector<int> ids_of(const Scene& scene) {
-    std::vector<int> ids(scene.spheres.size());
-    for (size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<int>(i);
-    return ids;
-}
-
 /// Launches over packed directions; checks guards, inputs and the hits counted.
-inline Hits closest(Bench& bench, Width w, const std::vector<SphereCluster>& spheres, int sphere_count,
-                    const std::vector<float>& packed_dirs) {
+inline Hits closest(Bench& bench, Width w, const PencilSpheres& spheres, const std::vector<float>& packed_dirs) {
     INFO(w);
     constexpr int first_group = 3, counted_before = 1000;
     const size_t rays = packed_dirs.size() / 3;
     const int items = static_cast<int>(rays) / w.rays();
     const auto groups = static_cast<size_t>((items + bench.local - 1) / bench.local);
     const GuardedBuffer<float> dirs(bench, packed_dirs), ts(bench, rays), normals(bench, 3 * rays);
-    const GuardedBuffer<SphereCluster> clusters(bench, spheres);
+    const GuardedSpheres in(bench, spheres);
     const GuardedBuffer<int> ids(bench, rays), counts(bench, std::vector<int>(first_group + groups, counted_before));
-    bench.launch(bench.programs.get({Kernel::intersect_closest, w.defines()}).kernel, items, dirs.buffer(),
-                 clusters.buffer(), sphere_count, items, ts.buffer(), normals.buffer(), ids.buffer(), first_group,
-                 counts.buffer());
+    bench.launch(
+        bench.programs.get({Kernel::intersect_closest, w.defines({spheres.levels > 0 ? "LEVELS=1" : "LEVELS=0"})})
+            .kernel,
+        items, dirs.buffer(), in.clusters.buffer(), in.nodes.buffer(), spheres.levels, spheres.last(), items,
+        ts.buffer(), normals.buffer(), ids.buffer(), first_group, counts.buffer());
     Hits hits{ts.read(), normals.read(), ids.read(), counts.read()};
     dirs.check_unchanged();
-    clusters.check_unchanged();
+    in.check_unchanged();
     std::vector<int> expected(first_group + groups, counted_before);
     const size_t group_rays = static_cast<size_t>(w.rays() * bench.local);
     for (size_t ray = 0; ray < rays; ++ray) expected[first_group + ray / group_rays] += hits.ids[ray] >= 0;
@@ -47,16 +42,14 @@ inline Hits closest(Bench& bench, Width w, const std::vector<SphereCluster>& sph
     return hits;
 }
 
-/// Of one ray a work-item, which tests every sphere, after checking that the other widths, which pass over those that
-/// their fat ray misses, give the same bits.
+/// By brute force, after checking that the hierarchy gives the same bits in all widths.
 inline Hits closest(Bench& bench, const Scene& scene, const std::vector<Float3>& rays) {
-    const std::vector<int> ids = ids_of(scene);
-    const std::vector<SphereCluster> spheres = spheres_from_eye(scene, ids);
+    const PencilSpheres spheres = seen_from_eye(scene.camera, build_hierarchy(scene.spheres));
     const std::vector<float> dirs = packed(rays);
-    const Hits hits = closest(bench, widths[0], spheres, static_cast<int>(ids.size()), dirs);
+    const Hits hits = closest(bench, widths[0], within_reach(spheres), dirs);
     for (const Width& w : widths) {
         INFO(w);
-        CHECK(same_bits(closest(bench, w, spheres, static_cast<int>(ids.size()), dirs), hits));
+        CHECK(same_bits(closest(bench, w, spheres, dirs), hits));
     }
     return hits;
 }

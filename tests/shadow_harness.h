@@ -1,8 +1,8 @@
 // intersect_shadow and shade_light alone, over hits that a test makes.
 #pragma once
 
+#include "guarded_spheres.h"
 #include "kernel_harness.h"
-#include "pencil.h"
 #include "reference.h"
 
 namespace gnomon::test {
@@ -42,29 +42,38 @@ struct Receivers {
 /// A light as the kernels are given it.
 struct LightSetup {
     std::variant<ParallelPencil, PointPencil> pencil;
-    std::vector<SphereCluster> spheres;
-    int sphere_count;
+    PencilSpheres spheres;
+    float group_depth;  ///< receivers that are traced together
     Float3 phi;
     std::string define;
+
+    std::string levels() const { return spheres.levels > 0 ? "LEVELS=1" : "LEVELS=0"; }
 };
 inline LightSetup set_up(const Scene& scene, const Light& light) {
-    std::vector<int> ids(scene.spheres.size());
-    for (size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<int>(i);
-    const int count = static_cast<int>(ids.size());
+    constexpr float group_depth = 1.1f;
+    const Hierarchy hierarchy = build_hierarchy(scene.spheres);
     if (const auto* point = std::get_if<PointLight>(&light)) {
         const PointPencil pencil = point_pencil(*point, scene.camera);
-        return {pencil, spheres_from_point(pencil, scene, ids), count, lambert_factor(*point), "LIGHT=LIGHT_POINT"};
+        return {pencil, seen_from_point(pencil, scene.camera, hierarchy), group_depth, lambert_factor(*point),
+                "LIGHT=LIGHT_POINT"};
     }
     const auto& sun = std::get<DirectionalLight>(light);
     const ParallelPencil pencil = parallel_pencil(sun);
-    return {pencil, spheres_along(pencil, scene, ids), count, lambert_factor(sun), "LIGHT=LIGHT_DIRECTIONAL"};
+    return {pencil, seen_along(pencil, scene.camera, hierarchy), group_depth, lambert_factor(sun),
+            "LIGHT=LIGHT_DIRECTIONAL"};
+}
+/// The same by brute force, all receivers of a work-item together.
+inline LightSetup brute(LightSetup light) {
+    light.spheres = within_reach(light.spheres);
+    light.group_depth = INFINITY;
+    return light;
 }
 
 /// The inputs of both kernels on the device.
 struct HitBuffers {
     GuardedBuffer<float> dirs, ts, normals;
     GuardedBuffer<int> ids;
-    GuardedBuffer<SphereCluster> spheres;
+    GuardedSpheres spheres;
 
     HitBuffers(Bench& bench, const Receivers& hits, const LightSetup& light)
         : dirs(bench, packed(hits.dirs)),
@@ -87,23 +96,24 @@ inline std::vector<float> arrival(Bench& bench, Width w, const Receivers& hits, 
     const HitBuffers in(bench, hits, light);
     const GuardedBuffer<float> result(bench, hits.size());
     const int items = static_cast<int>(hits.size()) / w.rays();
-    const cl::Kernel kernel = bench.programs.get({Kernel::intersect_shadow, w.defines({light.define})}).kernel;
+    const cl::Kernel kernel =
+        bench.programs.get({Kernel::intersect_shadow, w.defines({light.define, light.levels()})}).kernel;
     std::visit(
         [&](const auto& pencil) {
             bench.launch(kernel, items, in.dirs.buffer(), in.ts.buffer(), in.normals.buffer(), in.ids.buffer(),
-                         in.spheres.buffer(), light.sphere_count, pencil, items, result.buffer());
+                         in.spheres.clusters.buffer(), in.spheres.nodes.buffer(), light.spheres.levels,
+                         light.spheres.last(), light.group_depth, pencil, items, result.buffer());
         },
         light.pencil);
     in.check_unchanged();
     return result.read();
 }
 
-/// Of one ray a work-item, which tests every sphere, after checking that the other widths, which pass over those that
-/// their fat ray misses, give the same bits.
+/// By brute force, after checking that the hierarchy gives the same bits in all widths.
 inline std::vector<float> arrival(Bench& bench, const Scene& scene, const Receivers& receivers, const Light& light) {
     const Receivers hits = receivers.padded();
     const LightSetup setup = set_up(scene, light);
-    const std::vector<float> result = arrival(bench, widths[0], hits, setup);
+    const std::vector<float> result = arrival(bench, widths[0], hits, brute(setup));
     for (const Width& w : widths) {
         INFO(w);
         CHECK(same_bits(arrival(bench, w, hits, setup), result));
@@ -131,12 +141,13 @@ inline std::vector<float> shade(Bench& bench, Width w, const Scene& scene, const
     const GuardedBuffer<float> arriving(bench, shading.arrival.empty() ? sentinels<float>(1) : shading.arrival);
     const GuardedBuffer<float> radiance(bench, shading.radiance);
     const int items = static_cast<int>(hits.size()) / w.rays(), first = shading.first ? 1 : 0;
-    const Variant variant{Kernel::shade_light, w.defines({light.define, "SHADOWS=" + shading.shadows})};
+    const Variant variant{Kernel::shade_light, w.defines({light.define, "SHADOWS=" + shading.shadows, light.levels()})};
     std::visit(
         [&](const auto& pencil) {
             bench.launch(bench.programs.get(variant).kernel, items, in.dirs.buffer(), in.ts.buffer(),
-                         in.normals.buffer(), in.ids.buffer(), arriving.buffer(), in.spheres.buffer(),
-                         light.sphere_count, albedos.buffer(), pencil, light.phi, first, items, radiance.buffer());
+                         in.normals.buffer(), in.ids.buffer(), arriving.buffer(), in.spheres.clusters.buffer(),
+                         in.spheres.nodes.buffer(), light.spheres.levels, light.spheres.last(), light.group_depth,
+                         albedos.buffer(), pencil, light.phi, first, items, radiance.buffer());
         },
         light.pencil);
     in.check_unchanged();

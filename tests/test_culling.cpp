@@ -1,5 +1,4 @@
-// Fat rays change no bit: intersect_closest's work-items of many rays find what those of one ray find, which test every
-// sphere. closest() compares them.
+// Fat rays and the hierarchy change no bit: intersect_closest finds what brute force finds. closest() compares them.
 #include "bundles.h"
 #include "intersect_harness.h"
 

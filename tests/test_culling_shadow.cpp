@@ -1,5 +1,4 @@
-// Fat rays change no bit: intersect_shadow's work-items of many rays find what those of one ray find, which test every
-// sphere. arrival() compares them.
+// Fat rays and the hierarchy change no bit: intersect_shadow finds what brute force finds. arrival() compares them.
 #include "bundles.h"
 #include "shadow_harness.h"
 

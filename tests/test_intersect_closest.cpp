@@ -101,13 +101,14 @@ TEST_CASE("intersect_closest: ties between clusters, and ids that are not places
         for (int i = 0; i < 40; ++i) scene.spheres.push_back({{0, i == 20 || i == 35 ? 0.0 : 100.0, 6}, 1});
         check_exactly(bench, scene, {0, 0, 1}, {5, {0, 0, -1}, 20});
         check_exactly(bench, scene, {0, 0, -1}, miss);
-        // Only some of the scene's spheres are uploaded; the rest of the last cluster is beyond the count.
-        const std::vector<SphereCluster> spheres = spheres_from_eye(scene, {3, 35, 20});
+        // Ids are not places, and the rest of the cluster is empty.
+        const Ball near{{0, 0, 6}, 1}, far{{0, 100, 6}, 1};
+        const PencilSpheres three = seen_from_eye(scene.camera, {{3, 35, 20}, {far, near, near}, {}}),
+                            one = seen_from_eye(scene.camera, {{3}, {far}, {}});
+        const std::vector<float> dirs = packed(std::vector<Float3>(BLOCK_RAYS, {0, 0, 1}));
         for (const Width& w : widths) {
-            const std::vector<float> dirs = packed(std::vector<Float3>(BLOCK_RAYS, {0, 0, 1}));
-            CHECK(closest(bench, w, spheres, 3, dirs).ids == std::vector<int>(BLOCK_RAYS, 35));
-            CHECK(closest(bench, w, spheres, 1, dirs).ids == std::vector<int>(BLOCK_RAYS, -1));
-            CHECK(closest(bench, w, spheres, 0, dirs).ids == std::vector<int>(BLOCK_RAYS, -1));
+            CHECK(closest(bench, w, three, dirs).ids == std::vector<int>(BLOCK_RAYS, 20));
+            CHECK(closest(bench, w, one, dirs).ids == std::vector<int>(BLOCK_RAYS, -1));
         }
     });
 }

@@ -136,7 +136,7 @@ TEST_CASE("shade_light: the colour is that of each hit's own id", "[shade_light]
             arrived.push_back(i % 5 == 4 || i % 7 == 6 ? 0.0f : 0.25f);
         }
         LightSetup setup = set_up(Scene{}, lights[0]);
-        setup.spheres.resize(1);
+        setup.spheres.clusters.resize(1);
         setup.phi = {2, 4, 8};
         const Shading shading{"SHADOWS_READ", arrived, std::vector<float>(3 * hits.size(), 1), false};
         for (const Width& w : widths) {

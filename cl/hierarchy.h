@@ -1,0 +1,68 @@
+// The hierarchy over the spheres, from the top down: nodes of 16 balls, each the bound of a node or, on the lowest
+// level, of a cluster. Its depth follows from the number of spheres alone, so the stack cannot overrun. Whoever
+// includes this says with FAT and CANDIDATES what is traced: a type, and the function that gives the candidates of 16
+// bounds.
+#ifndef GNOMON_HIERARCHY_H
+#define GNOMON_HIERARCHY_H
+
+#include "cluster.h"
+
+// Spheres as one pencil sees them: clusters, and `levels` levels of nodes over them, the root last of all nodes. With
+// no levels there is one cluster.
+typedef struct {
+    global const SphereCluster* clusters;
+    global const Bounds* nodes;
+    int levels, last;
+} Hierarchy;
+
+#if LEVELS == 0
+
+typedef struct {
+    int next;
+    float farthest;  // not looked at
+} Traversal;
+
+static inline Traversal begin(Hierarchy h, FAT fat) { return (Traversal){0, INFINITY}; }
+static inline int next_cluster(Hierarchy h, Traversal* t, FAT fat) { return t->next <= h.last ? t->next++ : -1; }
+
+#else
+
+// Where a traversal stands: on each level (1 is the lowest) a node, and which of its children are still to be visited.
+typedef struct {
+    int node[MAX_LEVELS + 1], rest[MAX_LEVELS + 1];
+    int level;
+    float farthest;  // nothing that begins beyond is of interest any more
+} Traversal;
+
+static inline Traversal begin(Hierarchy h, FAT fat) {
+    Traversal t;
+    t.level = h.levels;
+    t.farthest = INFINITY;
+    t.node[h.levels] = h.last;
+    t.rest[h.levels] = CANDIDATES(fat, h.nodes + h.last);
+    return t;
+}
+
+// The next cluster that may hold something, -1 after the last. Children are sorted by where they begin, in pencils with
+// an apex: the first that begins too far ends its node.
+static inline int next_cluster(Hierarchy h, Traversal* t, FAT fat) {
+    while (t->level <= h.levels) {
+        const int level = t->level, rest = t->rest[level];
+        t->rest[level] = rest & (rest - 1);
+        const int i = rest ? lowest_bit(rest) : 0;
+        global const Bounds* b = h.nodes + t->node[level];
+        if (!rest || b->distance[i] - b->reach[i] > t->farthest) {
+            t->level = level + 1;
+            continue;
+        }
+        if (level == 1) return b->id[i];
+        t->level = level - 1;
+        t->node[level - 1] = b->id[i];
+        t->rest[level - 1] = CANDIDATES(fat, h.nodes + b->id[i]);
+    }
+    return -1;
+}
+
+#endif
+
+#endif
