@@ -73,7 +73,7 @@ void with_each_light(Test test) {
 
 }  // namespace
 
-TEST_CASE("shade_light: shadows read are those traced, bit for bit; lights set, then add", "[shade_light]") {
+TEST_CASE("shade_light: shadows read are those traced, bit for bit, and lights set, then add", "[shade_light]") {
     with_each_light([](Bench& bench, const Scene& scene, const Receivers& hits, const LightSetup& setup,
                        const Light& light, Random& random) {
         const std::vector<float> arrived = arrival(bench, scene, hits, light);
