@@ -7,8 +7,8 @@
 
 #include "cluster.h"
 
-// Spheres as one pencil sees them: clusters, and `levels` levels of nodes over them, the root last of all nodes. With
-// no levels there is one cluster.
+// Spheres as one pencil sees them: clusters, and `levels` levels of nodes over them, the last node being the root. Few
+// clusters are visited one after the other (-D LEVELS=0, else 1): there are no nodes, and `last` is the last cluster.
 typedef struct {
     global const SphereCluster* clusters;
     global const Bounds* nodes;
@@ -19,10 +19,9 @@ typedef struct {
 
 typedef struct {
     int next;
-    float farthest;  // not looked at
 } Traversal;
 
-static inline Traversal begin(Hierarchy h, FAT fat) { return (Traversal){0, INFINITY}; }
+static inline Traversal begin(Hierarchy h, FAT fat) { return (Traversal){0}; }
 static inline int next_cluster(Hierarchy h, Traversal* t, FAT fat) { return t->next <= h.last ? t->next++ : -1; }
 
 #else

@@ -18,7 +18,7 @@ typedef struct {
     vec3w center;
 } Hit;
 
-// 1 when some ray has a closer hit now.
+// 0 when no ray can have a closer hit now than before.
 static inline int intersect(PencilSphere s, vec3w dir, Hit* hit) {
     const floatw b = dot_f(s.center, dir);
     const floatw discriminant = sphere_discriminant(s, dir, b);

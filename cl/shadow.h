@@ -69,9 +69,8 @@ static inline void take_group(const floatw* t, float group_depth, intw* left, in
     }
 }
 
-// share[k]: what arrives at the hits of packet k. Where there are levels, hits whose distances from the eye differ by
-// less than the factor group_depth
-// (> 1) are traced together.
+// share[k]: what arrives at the hits of packet k. Where there are levels, hits are traced together whose distances from
+// the eye differ by less than the factor group_depth (> 1).
 static inline void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil light, float group_depth, int item,
                                  floatw* share) {
     ShadowRay ray[PACKETS];

@@ -1,6 +1,7 @@
 #include "stats_json.h"
 
 #include <fmt/core.h>
+
 #include <algorithm>
 
 namespace gnomon {
@@ -81,8 +82,7 @@ std::string summary(const RunStats& run, const DeviceInfo& device, const ImageSi
     const Check& c = run.check;
     return fmt::format(
         "{}: {}x{}, {} spheres, {} lights; load {:.3f} s, device {:.3f}, build {:.3f}, prepare {:.3f}, trace {:.3f}, "
-        "write "
-        "{:.3f}; {:.0f} Mrays/s, of {} pixels {} wrong, else within {:.1e} of double",
+        "write {:.3f}; {:.0f} Mrays/s, of {} pixels {} wrong, else within {:.1e} of double",
         device.name, image.width, image.height, r.spheres, r.lights, run.load_seconds, run.device_seconds,
         r.build_seconds, r.prepare_seconds, r.trace_seconds, run.write_seconds,
         mrays_per_second(r.rays, r.trace_seconds), c.pixels, std::max(c.wrong_ids, c.flips),

@@ -21,8 +21,8 @@ struct InUnit {
     Light operator()(const DirectionalLight& light) const { return light; }
     Light operator()(const PointLight& light) const {
         const Rgb& p = light.power;
-        const double share =
-            1 / unit;  // twice, since the square of an extreme unit may be out of range where power is not
+        // Taken twice: the square of an extreme unit may be out of range where the scaled power is not.
+        const double share = 1 / unit;
         return PointLight{(light.position - eye) * share,
                           {p.r * share * share, p.g * share * share, p.b * share * share}};
     }
