@@ -1,6 +1,8 @@
 // What to render: plain data, in double, in the scene file's own units.
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -30,6 +32,18 @@ struct Sphere {
     Rgb albedo{1, 1, 1};  ///< the reflected share of the light that arrives, Lambert
 };
 
+/// Many spheres, as a file or a simulation keeps them: rows of 4 numbers, x y z radius, or of 7, with the albedo's red,
+/// green and blue. Its numbers are those of Sphere.
+struct SphereTable {
+    std::shared_ptr<const void> owner;  ///< what the rows lie in and live as long as: a vector, a file that is mapped
+    std::variant<const float*, const double*> rows;
+    int64_t count = 0;
+    int columns = 4;      ///< 4 or 7
+    Rgb albedo{1, 1, 1};  ///< of all, when rows have 4 columns
+
+    Sphere operator[](int64_t row) const;
+};
+
 /// Parallel light; `direction_to_light` need not be a unit vector. Irradiance on a facing surface, power per area.
 struct DirectionalLight {
     Vec3 direction_to_light;
@@ -44,13 +58,28 @@ struct PointLight {
 
 using Light = std::variant<DirectionalLight, PointLight>;
 
-/// A sphere's id is its index; lights add up in their order.
+/// A sphere's id is its index, counted through `spheres` and then through the tables; lights add up in their order.
 struct Scene {
     ImageSize image;
     Camera camera;
     std::vector<Sphere> spheres;
+    std::vector<SphereTable> tables;
     std::vector<Light> lights;
     std::string sha1;  ///< of the file it was read from, 40 hex digits; empty for a scene made in memory
 };
+
+/// How many spheres there are in all.
+int64_t sphere_count(const Scene& scene);
+/// The sphere with this id, 0 <= id < sphere_count(scene).
+Sphere sphere_of(const Scene& scene, int64_t id);
+
+/// Calls visit(id, sphere) for all spheres in the order of their ids.
+template <class Visit>
+void for_each_sphere(const Scene& scene, Visit visit) {
+    int64_t id = 0;
+    for (const Sphere& sphere : scene.spheres) visit(id++, sphere);
+    for (const SphereTable& table : scene.tables)
+        for (int64_t row = 0; row < table.count; ++row) visit(id++, table[row]);
+}
 
 }  // namespace gnomon
