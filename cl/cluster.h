@@ -8,13 +8,16 @@
 typedef struct {
     Float3 center;
     float r2, power;
-    int form, id;
+    int id;
 } PencilSphere;
 
-static inline PencilSphere sphere_of(global const SphereCluster* c, int i) {
-    global const Bounds* b = &c->bounds;
-    return (PencilSphere){{b->x[i], b->y[i], b->z[i]}, c->r2[i], c->power[i], c->form[i], b->id[i]};
+static inline PencilSphere sphere_of(global const PencilCluster* c, int i) {
+    return (PencilSphere){{c->x[i], c->y[i], c->z[i]}, c->r2[i], c->power[i], c->id[i]};
 }
+
+// Whether a sphere looks small from the apex, r^2 < |f|^2 / 2, which is r^2 < C = |f|^2 - r^2. It says which formula
+// decides whether a line meets it: see sphere.h.
+static inline int looks_small(PencilSphere s) { return s.r2 < s.power; }
 
 // The position of the lowest bit set.
 static inline int lowest_bit(int mask) { return 31 - clz(mask & -mask); }
@@ -22,7 +25,5 @@ static inline int lowest_bit(int mask) { return 31 - clz(mask & -mask); }
 // LANES neighbouring values.
 static inline floatw lanes_at(global const float* values, int first) { return *(global const floatw*)(values + first); }
 static inline intw ids_at(global const int* values, int first) { return *(global const intw*)(values + first); }
-// A mask's lanes as bits.
-static inline int lane_bits(intw mask) { return REDUCE(or, mask & ((intw)(1) << LANE_INDEX)); }
 
 #endif

@@ -1,59 +1,78 @@
-// A fat ray: all rays of a work-item as one, to pass over the spheres that none of them can meet, LANES spheres at a
-// time. What it keeps holds every sphere that the exact tests (sphere.h, parallel_pencil.h, point_pencil.h) could
-// accept, so it changes time and no bit.
-//
-// Rays from one apex: let a be a unit axis and h = max |dir - a|. A line along dir passes the centre f at |f x dir|,
-// which is at least |f x a| - |f| h; so a sphere with |f x a| > r + |f| h is met by none. In units of u |f|, u = 2^-24:
-//
-//    8  an exact test accepts lines that pass at most this far outside the sphere: sphere_discriminant's `across` is
-//       3 roundings on values up to |f|; b^2 - C, wrong by at most 4 |f|^2, moves the distance by 4 |f|^2 / (2 r),
-//       which is less than 3 |f| where r^2 >= |f|^2 / 2
-//    8  |f x a| is evaluated here as |f - (f . a) a|, 3 roundings a component, and the axis is a unit vector to 3
-//    8  h is rounded 4 times, and h <= 2
-//    3  r + |f| h, and the squares
-//
-// Together 27 < 32, so reach = r + 2^-19 max(|f|, r), rounded up, is wide enough for all. A ball that holds spheres
-// with |f| <= |F| + R adds their 8, for 2 max(|F|, R), to its own 19: 35 < 64, so its reach is R + 2^-18 max(|F|, R).
+// A fat ray: all rays of a work-item that leave one apex, as one, to pass over what none of them can meet, LANES
+// spheres or nodes at a time. What it keeps holds every sphere that the exact tests (sphere.h, point_pencil.h) could
+// accept, so it changes time and no bit: reach.h derives why.
 #ifndef GNOMON_FAT_RAY_H
 #define GNOMON_FAT_RAY_H
 
 #include "cluster.h"
 
-// All rays of a work-item that leave one apex, as far as `distance`.
+// The rays lie between four planes through the apex, whose unit normals point outward: their directions' X = d . u /
+// d . axis and Y = d . v / d . axis are those of a rectangle.
 typedef struct {
-    vec3w axis;  // the same in all lanes
-    floatw h, distance;
+    float x0, x1, y0, y1;
+    Float3 plane[4];
+    Float3 axis;
+    float distance;  // what begins beyond is of no interest
 } FatRay;
 
-// `open` says which of the rays count; at least one does. Where the axis cannot be had (rays all around) it is NaN.
-static inline FatRay fat_ray(const vec3w* dir, const intw* open) {
-    vec3w sum = {wide(0.0f), wide(0.0f), wide(0.0f)};
-    FOR_PACKETS(k) {
-        sum.x += open[k] ? dir[k].x : wide(0.0f);
-        sum.y += open[k] ? dir[k].y : wide(0.0f);
-        sum.z += open[k] ? dir[k].z : wide(0.0f);
-    }
-    const float x = REDUCE(sum, sum.x), y = REDUCE(sum, sum.y), z = REDUCE(sum, sum.z);
-    const float scale = 1.0f / sqrt(fma(x, x, fma(y, y, z * z)));
-    const vec3w axis = {wide(x * scale), wide(y * scale), wide(z * scale)};
-    floatw widest = wide(0.0f);
-    FOR_PACKETS(k) {
-        const vec3w off = {dir[k].x - axis.x, dir[k].y - axis.y, dir[k].z - axis.z};
-        widest = MORE(open[k] ? dot_w(off, off) : wide(0.0f), widest);
-    }
-    return (FatRay){axis, wide(sqrt(REDUCE(most, widest))), wide(INFINITY)};
+// The unit normal of the plane through the apex and X = x (axis 0) or Y = y that points toward larger X (sign 1).
+static inline Float3 side(Float3 across, Float3 axis, float x, float sign) {
+    const float scale = sign / sqrt(fma(x, x, 1.0f));
+    return (Float3){fma(-x, axis.x, across.x) * scale, fma(-x, axis.y, across.y) * scale,
+                    fma(-x, axis.z, across.z) * scale};
 }
 
-// Which of 16 the fat ray may meet: those that it cannot be shown to miss, so that NaN keeps them.
-static inline int candidates(FatRay fat, global const Bounds* b) {
+// `open` says which of the rays count. Where one is not on the axis's side the rectangle is the whole plane, the
+// normals are NaN, and everything is kept.
+static inline FatRay fat_ray(const vec3w* dir, const intw* open, Basis basis) {
+    floatw x0 = wide(INFINITY), x1 = -x0, y0 = x0, y1 = -x0, ahead = x0;
+    FOR_PACKETS(k) {
+        const floatw along = dot_f(basis.axis, dir[k]), scale = wide(1.0f) / along;
+        const floatw x = dot_f(basis.u, dir[k]) * scale, y = dot_f(basis.v, dir[k]) * scale;
+        x0 = LESS(open[k] ? x : x0, x0);
+        x1 = MORE(open[k] ? x : x1, x1);
+        y0 = LESS(open[k] ? y : y0, y0);
+        y1 = MORE(open[k] ? y : y1, y1);
+        ahead = LESS(open[k] ? along : ahead, ahead);
+    }
+    FatRay fat = {-INFINITY, INFINITY, -INFINITY, INFINITY, {{0, 0, 0}}, basis.axis, INFINITY};
+    if (REDUCE(least, ahead) > 0.0f) {
+        fat.x0 = REDUCE(least, x0);
+        fat.x1 = REDUCE(most, x1);
+        fat.y0 = REDUCE(least, y0);
+        fat.y1 = REDUCE(most, y1);
+    }
+    fat.plane[0] = side(basis.u, basis.axis, fat.x0, -1.0f);
+    fat.plane[1] = side(basis.u, basis.axis, fat.x1, 1.0f);
+    fat.plane[2] = side(basis.v, basis.axis, fat.y0, -1.0f);
+    fat.plane[3] = side(basis.v, basis.axis, fat.y1, 1.0f);
+    return fat;
+}
+
+// Which spheres of a cluster the fat ray may meet, as bits: those that it cannot be shown to miss, so that NaN keeps
+// them.
+static inline int candidates(FatRay fat, global const PencilCluster* c) {
     int kept = 0;
     for (int first = 0; first < CLUSTER; first += LANES) {
-        const vec3w f = {lanes_at(b->x, first), lanes_at(b->y, first), lanes_at(b->z, first)};
-        const floatw distance = lanes_at(b->distance, first), reach = lanes_at(b->reach, first);
-        const vec3w across = fma_w(-dot_w(f, fat.axis), fat.axis, f);
-        const floatw limit = fma(distance, fat.h, reach);
-        const intw misses = (dot_w(across, across) > limit * limit) | (distance - reach > fat.distance);
-        kept |= lane_bits(!(misses | (ids_at(b->id, first) < 0))) << first;
+        const vec3w f = {lanes_at(c->x, first), lanes_at(c->y, first), lanes_at(c->z, first)};
+        const floatw reach = lanes_at(c->reach, first);
+        const floatw a = dot_f(fat.plane[0], f), b = dot_f(fat.plane[1], f);
+        const floatw d = dot_f(fat.plane[2], f), e = dot_f(fat.plane[3], f);
+        const intw misses =
+            (a > reach) | (b > reach) | (d > reach) | (e > reach) | (dot_f(fat.axis, f) - reach > fat.distance);
+        kept |= lane_bits(!misses) << first;
+    }
+    return kept;
+}
+
+// The same for the children of a node.
+static inline int node_candidates(FatRay fat, global const Node* n) {
+    int kept = 0;
+    for (int first = 0; first < CLUSTER; first += LANES) {
+        const intw misses = (lanes_at(n->x0, first) > fat.x1) | (lanes_at(n->x1, first) < fat.x0) |
+                            (lanes_at(n->y0, first) > fat.y1) | (lanes_at(n->y1, first) < fat.y0) |
+                            (lanes_at(n->depth, first) > fat.distance) | (ids_at(n->child, first) < 0);
+        kept |= lane_bits(!misses) << first;
     }
     return kept;
 }

@@ -1,7 +1,6 @@
-// The hierarchy over the spheres, from the top down: nodes of 16 balls, each the bound of a node or, on the lowest
-// level, of a cluster. Its depth follows from the number of spheres alone, so the stack cannot overrun. Whoever
-// includes this says with FAT and CANDIDATES what is traced: a type, and the function that gives the candidates of 16
-// bounds.
+// The hierarchy over the spheres, from the top down: nodes of 16 children, each a node or, on the lowest level, a
+// cluster. Its depth follows from the number of spheres alone, so the stack cannot overrun. Whoever includes this says
+// with FAT and NODE_CANDIDATES what is traced: a type, and the function that gives the candidates of a node.
 #ifndef GNOMON_HIERARCHY_H
 #define GNOMON_HIERARCHY_H
 
@@ -10,8 +9,8 @@
 // Spheres as one pencil sees them: clusters, and `levels` levels of nodes over them, the last node being the root. Few
 // clusters are visited one after the other (-D LEVELS=0, else 1): there are no nodes, and `last` is the last cluster.
 typedef struct {
-    global const SphereCluster* clusters;
-    global const Bounds* nodes;
+    global const PencilCluster* clusters;
+    global const Node* nodes;
     int levels, last;
 } Hierarchy;
 
@@ -38,26 +37,26 @@ static inline Traversal begin(Hierarchy h, FAT fat) {
     t.level = h.levels;
     t.farthest = INFINITY;
     t.node[h.levels] = h.last;
-    t.rest[h.levels] = CANDIDATES(fat, h.nodes + h.last);
+    t.rest[h.levels] = NODE_CANDIDATES(fat, h.nodes + h.last);
     return t;
 }
 
 // The next cluster that may hold something, -1 after the last. Children are sorted by where they begin, in pencils with
-// an apex: the first that begins too far ends its node.
+// an apex: the first that begins too far ends its node. (In parallel pencils nothing is too far.)
 static inline int next_cluster(Hierarchy h, Traversal* t, FAT fat) {
     while (t->level <= h.levels) {
         const int level = t->level, rest = t->rest[level];
         t->rest[level] = rest & (rest - 1);
         const int i = rest ? lowest_bit(rest) : 0;
-        global const Bounds* b = h.nodes + t->node[level];
-        if (!rest || b->distance[i] - b->reach[i] > t->farthest) {
+        global const Node* n = h.nodes + t->node[level];
+        if (!rest || n->depth[i] > t->farthest) {
             t->level = level + 1;
             continue;
         }
-        if (level == 1) return b->id[i];
+        if (level == 1) return n->child[i];
         t->level = level - 1;
-        t->node[level - 1] = b->id[i];
-        t->rest[level - 1] = CANDIDATES(fat, h.nodes + b->id[i]);
+        t->node[level - 1] = n->child[i];
+        t->rest[level - 1] = NODE_CANDIDATES(fat, h.nodes + n->child[i]);
     }
     return -1;
 }

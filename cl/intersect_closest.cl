@@ -8,7 +8,7 @@
 #include "sphere.h"
 
 #define FAT FatRay
-#define CANDIDATES candidates
+#define NODE_CANDIDATES node_candidates
 #include "hierarchy.h"
 
 // The closest hit so far.
@@ -48,10 +48,11 @@ static inline vec3w outward_normal(Hit hit, vec3w dir) {
     return select_w(hits, scale_w(divide(wide(1.0f), square_root(dot_w(out, out))), out), infinite);
 }
 
-kernel void intersect_closest(global const float* restrict dirs, global const SphereCluster* restrict clusters,
-                              global const Bounds* restrict nodes, const int levels, const int last, const int items,
-                              global float* restrict ts, global float* restrict normals, global int* restrict ids,
-                              const int first_group, global int* restrict hit_counts) {
+kernel void intersect_closest(global const float* restrict dirs, const Basis basis,
+                              global const PencilCluster* restrict clusters, global const Node* restrict nodes,
+                              const int levels, const int last, const int items, global float* restrict ts,
+                              global float* restrict normals, global int* restrict ids, const int first_group,
+                              global int* restrict hit_counts) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
     vec3w dir[PACKETS];
@@ -63,18 +64,18 @@ kernel void intersect_closest(global const float* restrict dirs, global const Sp
     intw valid[PACKETS];
     FOR_PACKETS(k) valid[k] = dir[k].x == dir[k].x;  // pixels outside the image are NaN
     const Hierarchy hierarchy = {clusters, nodes, levels, last};
-    FatRay fat = fat_ray(dir, valid);
+    FatRay fat = fat_ray(dir, valid, basis);
     Traversal traversal = begin(hierarchy, fat);
     for (int c; (c = next_cluster(hierarchy, &traversal, fat)) >= 0;) {
         int closer = 0;
-        for (int rest = candidates(fat, &clusters[c].bounds); rest; rest &= rest - 1) {
+        for (int rest = candidates(fat, clusters + c); rest; rest &= rest - 1) {
             const PencilSphere s = sphere_of(clusters + c, lowest_bit(rest));
             FOR_PACKETS(k) closer |= intersect(s, dir[k], &hit[k]);
         }
 #if LEVELS > 0
         if (!closer) continue;
         traversal.farthest = farthest_hit(hit, valid);
-        fat.distance = wide(traversal.farthest);
+        fat.distance = traversal.farthest;
 #endif
     }
     intw hits = 0;

@@ -7,7 +7,7 @@
 
 kernel void intersect_shadow(global const float* restrict dirs, global const float* restrict ts,
                              global const float* restrict normals, global const int* restrict ids,
-                             global const SphereCluster* restrict clusters, global const Bounds* restrict nodes,
+                             global const PencilCluster* restrict clusters, global const Node* restrict nodes,
                              const int levels, const int last, const float group_depth, const LightPencil light,
                              const int items, global float* restrict arrival) {
     const int item = (int)get_global_id(0);

@@ -71,6 +71,13 @@ static inline int any_lane(intw mask) { return __builtin_reduce_or(mask); }
 static inline int any_lane(intw mask) { return REDUCE(or, mask); }
 #endif
 
+// A mask's lanes as bits.
+#if CLANG_TO_MACHINE && LANES == 16 && defined(__AVX512DQ__)
+static inline int lane_bits(intw mask) { return (ushort)__builtin_ia32_cvtd2mask512(mask); }
+#else
+static inline int lane_bits(intw mask) { return REDUCE(or, mask & ((intw)(1) << LANE_INDEX)); }
+#endif
+
 // Three components of LANES rays.
 typedef struct {
     floatw x, y, z;

@@ -1,6 +1,6 @@
-// The shadow pencil of a directional light: all rays run along dir, so whether one meets a sphere is a question of the
-// plane across dir (is the point in the disc?), without a root. Positions are relative to the eye, in the basis (u, v,
-// dir).
+// The shadow pencil of a directional light: all rays run along one axis, so whether one meets a sphere is a question of
+// the plane across its axis (is the point in the disc?), without a root. Positions are relative to the eye, in the
+// pencil's basis.
 #ifndef GNOMON_PARALLEL_PENCIL_H
 #define GNOMON_PARALLEL_PENCIL_H
 
@@ -11,20 +11,23 @@ typedef ParallelPencil LightPencil;
 
 // What a receiver's shadow ray shares among all spheres.
 typedef struct {
-    vec3w from;      // the receiver in the basis (u, v, dir)
+    vec3w from;      // the receiver in the basis
     floatw squared;  // its squared distance from the eye
 } ShadowRay;
 
 static inline ShadowRay shadow_ray(LightPencil light, vec3w position) {
-    const vec3w from = {dot_f(light.u, position), dot_f(light.v, position), dot_f(light.dir, position)};
+    const vec3w from = {dot_f(light.basis.u, position), dot_f(light.basis.v, position),
+                        dot_f(light.basis.axis, position)};
     return (ShadowRay){from, dot_w(from, from)};
 }
 
 // n . l, the share of the light's irradiance that arrives: > 0 where the surface faces the light.
-static inline floatw arriving(LightPencil light, vec3w position, vec3w normal) { return dot_f(light.dir, normal); }
+static inline floatw arriving(LightPencil light, vec3w position, vec3w normal) {
+    return dot_f(light.basis.axis, normal);
+}
 
 // Whether the sphere meets the ray at any t > 0, that is: its line comes closer than the radius, and the farther root
-// ahead + sqrt(D) is > 0, with `ahead` the way along dir from the receiver p to the foot of the centre c.
+// ahead + sqrt(D) is > 0, with `ahead` the way along the axis from the receiver p to the foot of the centre c.
 //   D = r^2 - |across|^2, whose error is a few u r (|p| + |c|), serves spheres that look small, and receivers far away.
 //   The receiver's own power |c - p|^2 - r^2 = C - 2 c . p + |p|^2 = ahead^2 - D says on which side of the surface it
 //   is (see sphere.h). Its error is a few u |p| (|p| + |c|): less for a sphere that looks large (|c| < 1.5 r) where |p|
@@ -34,7 +37,7 @@ static inline intw occludes(PencilSphere s, ShadowRay ray) {
     const floatw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
     const floatw discriminant = fma(-x, x, fma(-y, y, wide(s.r2)));
     const intw by_disc = (discriminant >= 0.0f) & ((ahead > 0.0f) | (ahead * ahead < discriminant));
-    if (s.form == FORM_SMALL) return by_disc;
+    if (looks_small(s)) return by_disc;
     const floatw power = wide(s.power) + fma(wide(-2.0f), dot_f(s.center, ray.from), ray.squared);
     const intw by_power = (power < 0.0f) | ((ahead > 0.0f) & (fma(ahead, ahead, -power) >= 0.0f));
     return ray.squared < wide(s.r2) ? by_power : by_disc;
@@ -45,8 +48,11 @@ typedef struct {
     float x0, x1, y0, y1, back;
 } FatShadowRay;
 
+// The face (point_pencil.h) from which the rays are told apart: here there is but one.
+static inline int face_of(LightPencil light, const ShadowRay* ray, const intw* open) { return 0; }
+
 // `open` says which of the rays count.
-static inline FatShadowRay fat_shadow_ray(const ShadowRay* ray, const intw* open) {
+static inline FatShadowRay fat_shadow_ray(LightPencil light, int face, const ShadowRay* ray, const intw* open) {
     floatw x0 = wide(INFINITY), x1 = -x0, y0 = x0, y1 = -x0, back = x0;
     FOR_PACKETS(k) {
         const vec3w from = ray[k].from;
@@ -60,17 +66,27 @@ static inline FatShadowRay fat_shadow_ray(const ShadowRay* ray, const intw* open
                           REDUCE(least, back)};
 }
 
-// Which spheres of a cluster may occlude one of the rays. occludes() accepts rays that pass at most 8 u max(|c|, r)
-// outside a sphere, by the errors given there (for `power` divided by 2 r, where |p| < r and |c| < 1.5 r); the sums
-// here round once, by less than 3 u max(|c|, r). The sphere's reach, r + 32 u max(|c|, r) (fat_ray.h), holds both.
-static inline int shadow_candidates(FatShadowRay fat, global const Bounds* b) {
+// Which spheres of a cluster may occlude one of the rays, as bits: see reach.h.
+static inline int shadow_candidates(FatShadowRay fat, global const PencilCluster* c) {
     int kept = 0;
     for (int first = 0; first < CLUSTER; first += LANES) {
-        const floatw x = lanes_at(b->x, first), y = lanes_at(b->y, first), z = lanes_at(b->z, first);
-        const floatw reach = lanes_at(b->reach, first);
+        const floatw x = lanes_at(c->x, first), y = lanes_at(c->y, first), z = lanes_at(c->z, first);
+        const floatw reach = lanes_at(c->reach, first);
         const intw misses = (x - reach > fat.x1) | (x + reach < fat.x0) | (y - reach > fat.y1) | (y + reach < fat.y0) |
                             (z + reach < fat.back);
-        kept |= lane_bits(!(misses | (ids_at(b->id, first) < 0))) << first;
+        kept |= lane_bits(!misses) << first;
+    }
+    return kept;
+}
+
+// The same for the children of a node.
+static inline int shadow_node_candidates(FatShadowRay fat, global const Node* n) {
+    int kept = 0;
+    for (int first = 0; first < CLUSTER; first += LANES) {
+        const intw misses = (lanes_at(n->x0, first) > fat.x1) | (lanes_at(n->x1, first) < fat.x0) |
+                            (lanes_at(n->y0, first) > fat.y1) | (lanes_at(n->y1, first) < fat.y0) |
+                            (lanes_at(n->depth, first) < fat.back) | (ids_at(n->child, first) < 0);
+        kept |= lane_bits(!misses) << first;
     }
     return kept;
 }

@@ -39,7 +39,7 @@ static inline floatw arriving(LightPencil light, vec3w position, vec3w normal) {
 static inline intw occludes(PencilSphere s, ShadowRay ray) {
     const floatw b = dot_f(s.center, ray.dir), beyond = b - ray.distance;
     const floatw discriminant = sphere_discriminant(s, ray.dir, b);
-    if (s.form == FORM_SMALL)
+    if (looks_small(s))
         return (discriminant >= 0.0f) & (b > 0.0f) & ((beyond < 0.0f) | (beyond * beyond < discriminant));
     // The receiver's power |d dir - f|^2 - r^2 = C - d (2 b - d).
     const floatw power = fma(-ray.distance, b + beyond, wide(s.power));
@@ -51,18 +51,40 @@ static inline intw occludes(PencilSphere s, ShadowRay ray) {
 // All shadow rays of a work-item leave the light: see fat_ray.h.
 typedef FatRay FatShadowRay;
 
-static inline FatShadowRay fat_shadow_ray(const ShadowRay* ray, const intw* open) {
+// The face of the light that most of the rays leave through.
+static inline int face_of(LightPencil light, const ShadowRay* ray, const intw* open) {
+    if (light.faces == 1) return 0;
+    vec3w sum = {wide(0.0f), wide(0.0f), wide(0.0f)};
+    FOR_PACKETS(k) {
+        sum.x += open[k] ? ray[k].dir.x : wide(0.0f);
+        sum.y += open[k] ? ray[k].dir.y : wide(0.0f);
+        sum.z += open[k] ? ray[k].dir.z : wide(0.0f);
+    }
+    const float x = REDUCE(sum, sum.x), y = REDUCE(sum, sum.y), z = REDUCE(sum, sum.z);
+    int best = 0;
+    float most = -INFINITY;
+    for (int i = 0; i < light.faces; ++i) {
+        const Float3 axis = light.face[i].axis;
+        const float along = fma(axis.x, x, fma(axis.y, y, axis.z * z));
+        best = along > most ? i : best;
+        most = along > most ? along : most;
+    }
+    return best;
+}
+
+static inline FatShadowRay fat_shadow_ray(LightPencil light, int face, const ShadowRay* ray, const intw* open) {
     vec3w dir[PACKETS];
     floatw farthest = wide(0.0f);
     FOR_PACKETS(k) {
         dir[k] = ray[k].dir;
         farthest = MORE(open[k] ? ray[k].distance : farthest, farthest);
     }
-    FatRay fat = fat_ray(dir, open);
-    fat.distance = wide(REDUCE(most, farthest));
+    FatRay fat = fat_ray(dir, open, light.face[face]);
+    fat.distance = REDUCE(most, farthest);
     return fat;
 }
 
-static inline int shadow_candidates(FatShadowRay fat, global const Bounds* b) { return candidates(fat, b); }
+static inline int shadow_candidates(FatShadowRay fat, global const PencilCluster* c) { return candidates(fat, c); }
+static inline int shadow_node_candidates(FatShadowRay fat, global const Node* n) { return node_candidates(fat, n); }
 
 #endif

@@ -7,12 +7,14 @@
 // light. One work-item: PACKETS * LANES neighbouring rays.
 #include "shadow.h"
 
-// The albedo of LANES ids by a loop over the distinct ones, of which neighbours have few: gathers are slower.
-static inline vec3w albedo_of(global const Float3* restrict albedos, intw id, intw wanted) {
+// The albedo of LANES ids, `stride` floats apart, by a loop over the distinct ones, of which neighbours have few:
+// gathers are slower.
+static inline vec3w albedo_of(global const float* restrict albedos, int stride, intw id, intw wanted) {
     vec3w albedo = {wide(0.0f), wide(0.0f), wide(0.0f)};
     for (int next; (next = REDUCE(highest, wanted ? id : (intw)(-1))) >= 0;) {
         const intw same = id == next;
-        albedo = select_w(same, broadcast(albedos[next]), albedo);
+        const float3 found = vload3(0, albedos + (size_t)next * stride);
+        albedo = select_w(same, broadcast((Float3){found.x, found.y, found.z}), albedo);
         wanted = wanted & !same;
     }
     return albedo;
@@ -20,10 +22,11 @@ static inline vec3w albedo_of(global const Float3* restrict albedos, intw id, in
 
 kernel void shade_light(global const float* restrict dirs, global const float* restrict ts,
                         global const float* restrict normals, global const int* restrict ids,
-                        global const float* restrict arrival, global const SphereCluster* restrict clusters,
-                        global const Bounds* restrict nodes, const int levels, const int last, const float group_depth,
-                        global const Float3* restrict albedos, const LightPencil light, const Float3 phi,
-                        const int first, const int items, global float* restrict radiance) {
+                        global const float* restrict arrival, global const PencilCluster* restrict clusters,
+                        global const Node* restrict nodes, const int levels, const int last, const float group_depth,
+                        global const float* restrict albedos, const int first_albedo, const int albedo_stride,
+                        const LightPencil light, const Float3 phi, const int first, const int items,
+                        global float* restrict radiance) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
     const Hits hits = {dirs, ts, normals, ids};
@@ -43,7 +46,8 @@ kernel void shade_light(global const float* restrict dirs, global const float* r
         vec3w sum = {wide(0.0f), wide(0.0f), wide(0.0f)};
         if (!first) sum = load_3(radiance, item, k);
         if (any_lit) {
-            const vec3w reflected = scale_w(share[k], albedo_of(albedos, load_i(ids, item, k), lit));
+            const vec3w reflected =
+                scale_w(share[k], albedo_of(albedos + first_albedo, albedo_stride, load_i(ids, item, k), lit));
             sum = (vec3w){fma(reflected.x, wide(phi.x), sum.x), fma(reflected.y, wide(phi.y), sum.y),
                           fma(reflected.z, wide(phi.z), sum.z)};
         }

@@ -10,7 +10,7 @@
 #include "light_pencil.h"
 
 #define FAT FatShadowRay
-#define CANDIDATES shadow_candidates
+#define NODE_CANDIDATES shadow_node_candidates
 #include "hierarchy.h"
 
 // What intersect_closest wrote, with the rays that it read.
@@ -47,11 +47,14 @@ static inline int occlude(PencilSphere s, const ShadowRay* ray, const intw* id, 
 }
 
 // Traces the open rays as one fat ray.
-static inline void trace_group(Hierarchy hierarchy, const ShadowRay* ray, const intw* id, intw* open, floatw* share) {
-    const FatShadowRay fat = fat_shadow_ray(ray, open);
+static inline void trace_group(Hierarchy hierarchy, LightPencil light, const ShadowRay* ray, const intw* id, intw* open,
+                               floatw* share) {
+    const int face = face_of(light, ray, open);
+    const FatShadowRay fat = fat_shadow_ray(light, face, ray, open);
+    hierarchy.nodes += face * (hierarchy.last + 1);  // each face has its own
     Traversal traversal = begin(hierarchy, fat);
     for (int c; (c = next_cluster(hierarchy, &traversal, fat)) >= 0;)
-        for (int rest = shadow_candidates(fat, &hierarchy.clusters[c].bounds); rest; rest &= rest - 1) {
+        for (int rest = shadow_candidates(fat, hierarchy.clusters + c); rest; rest &= rest - 1) {
             const PencilSphere s = sphere_of(hierarchy.clusters + c, lowest_bit(rest));
             if (occlude(s, ray, id, open, share) && !any_open(open)) return;
         }
@@ -84,11 +87,11 @@ static inline void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil lig
         ray[k] = shadow_ray(light, scale_w(t[k], load_3(hits.dirs, item, k)));
     }
 #if LEVELS == 0
-    if (any_open(left)) trace_group(hierarchy, ray, id, left, share);
+    if (any_open(left)) trace_group(hierarchy, light, ray, id, left, share);
 #else
     while (any_open(left)) {
         take_group(t, group_depth, left, group);
-        trace_group(hierarchy, ray, id, group, share);
+        trace_group(hierarchy, light, ray, id, group, share);
     }
 #endif
 }

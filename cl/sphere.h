@@ -19,7 +19,7 @@
 #include "ieee.h"
 
 static inline floatw sphere_discriminant(PencilSphere s, vec3w dir, floatw b) {
-    if (s.form == FORM_LARGE) return fma(b, b, wide(-s.power));
+    if (!looks_small(s)) return fma(b, b, wide(-s.power));
     const vec3w across = fma_w(-b, dir, broadcast(s.center));  // from the line to the centre, shortest way
     return fma(-across.x, across.x, fma(-across.y, across.y, fma(-across.z, across.z, wide(s.r2))));
 }

@@ -9,10 +9,6 @@
 #define BLOCK_SIDE 8
 #define BLOCK_RAYS 64
 
-// Which formula decides whether a line from the pencil's apex meets a sphere: see sphere.h.
-#define FORM_SMALL 0  // the sphere looks small: perpendicular form
-#define FORM_LARGE 1  // the sphere looks large, or the apex is in it: power of the apex
-
 #define LIGHT_DIRECTIONAL 0
 #define LIGHT_POINT 1
 
@@ -29,25 +25,60 @@ typedef struct {
     float x, y, z;
 } Float3;
 
-// What a fat ray is tested against, 16 at a time: spheres as one pencil sees them, or balls that hold 16 of the level
-// below. Computed in double and rounded once. Places that nothing fills have id -1.
+// Spheres travel in clusters of 16, which the order of the hierarchy makes neighbours. Places that nothing fills have
+// id -1.
 #define CLUSTER 16
-typedef struct {
-    float x[CLUSTER], y[CLUSTER], z[CLUSTER];  // centre from the pencil's apex; parallel: from the eye, in its basis
-    float distance[CLUSTER], reach[CLUSTER];   // |centre| and the radius, both rounded up and out: see fat_ray.h
-    int id[CLUSTER];                           // a sphere's index in the scene; a ball's node or cluster
-} Bounds;
 
-// Spheres: what else the exact tests need.
+// Spheres as the scene has them, from its origin and in its unit (frame.h).
 typedef struct {
-    Bounds bounds;
+    float x[CLUSTER], y[CLUSTER], z[CLUSTER], radius[CLUSTER];
+    int id[CLUSTER];
+} Cluster;
+
+// Words of the keys by which spheres are sorted: three of 10 bits of each coordinate, and a hash (sphere_keys).
+#define PLACE_WORDS 3
+#define HASH_WORD 3
+
+// Digits of 8 bits, by which keys are sorted.
+#define DIGIT_BITS 8
+#define DIGITS (1 << DIGIT_BITS)
+
+// What rounding left over of a cluster's numbers, where they are no floats: the exact ones are the sums of both.
+typedef struct {
+    float x[CLUSTER], y[CLUSTER], z[CLUSTER], radius[CLUSTER];
+} ClusterRest;
+
+// The spheres of a cluster as one pencil sees them. reach is the radius widened for conservative tests (reach.h); no
+// ball of an empty place reaches anything, and no line meets it.
+typedef struct {
+    float x[CLUSTER], y[CLUSTER], z[CLUSTER];  // centre from the apex; parallel: from the eye, in the pencil's basis
+    float reach[CLUSTER];
     float r2[CLUSTER];     // radius^2
     float power[CLUSTER];  // |centre|^2 - radius^2, the power of the apex (parallel: of the eye): < 0 inside
-    int form[CLUSTER];     // FORM_SMALL or FORM_LARGE
-} SphereCluster;
+    int id[CLUSTER];
+} PencilCluster;
+
+// Bounds of 16 children as one pencil sees them, in its basis: rectangles across the axis, on a plane at distance 1
+// (parallel: across the light), and the distance from the apex where the first sphere begins (parallel: along the
+// light, where the last one ends). Children are sorted by depth.
+typedef struct {
+    float x0[CLUSTER], x1[CLUSTER], y0[CLUSTER], y1[CLUSTER];
+    float depth[CLUSTER];
+    int child[CLUSTER];  // a node, or on the lowest level a cluster
+} Node;
 
 // 16^8 spheres are more than an int counts.
 #define MAX_LEVELS 8
+
+// Three orthonormal directions; what is seen along `axis` is told apart across it.
+typedef struct {
+    Float3 u, v, axis;
+} Basis;
+
+// A point to float's precision twice over: hi + lo.
+typedef struct {
+    Float3 hi, lo;
+} Apex;
 
 // Rays from the eye: pixel (i, j) looks along forward + (2i + 1 - width) right + (height - 1 - 2j) up.
 typedef struct {
@@ -55,15 +86,18 @@ typedef struct {
     int width, height;  // pixels
 } EyePencil;
 
-// Rays toward a directional light; positions are relative to the eye.
+// Rays toward a directional light, along the axis; positions are relative to the eye.
 typedef struct {
-    Float3 u, v;  // across the light, with dir an orthonormal basis
-    Float3 dir;   // toward the light
+    Basis basis;
 } ParallelPencil;
 
-// Rays from a point light.
+// Rays from a point light. Bounds are kept for each of its faces: one when all spheres lie on one side of the light,
+// else the six of a cube around it.
+#define MAX_FACES 6
 typedef struct {
     Float3 origin;  // relative to the eye
+    int faces;
+    Basis face[MAX_FACES];
 } PointPencil;
 
 // A rectangle of blocks that one chain of launches computes.
@@ -73,13 +107,17 @@ typedef struct {
     int blocks;    // blocks in all
 } Tile;
 
-typedef char assert_size_of_Float3[sizeof(Float3) == 12 ? 1 : -1];
-typedef char assert_size_of_Bounds[sizeof(Bounds) == 6 * 4 * CLUSTER ? 1 : -1];
-typedef char assert_size_of_SphereCluster[sizeof(SphereCluster) == 9 * 4 * CLUSTER ? 1 : -1];
-typedef char assert_size_of_EyePencil[sizeof(EyePencil) == 44 ? 1 : -1];
-typedef char assert_size_of_ParallelPencil[sizeof(ParallelPencil) == 36 ? 1 : -1];
-typedef char assert_size_of_PointPencil[sizeof(PointPencil) == 12 ? 1 : -1];
-typedef char assert_size_of_Tile[sizeof(Tile) == 16 ? 1 : -1];
+#define ASSERT_SIZE(type, bytes) typedef char assert_size_of_##type[sizeof(type) == (bytes) ? 1 : -1]
+ASSERT_SIZE(Float3, 12);
+ASSERT_SIZE(Cluster, 5 * 4 * CLUSTER);
+ASSERT_SIZE(ClusterRest, 4 * 4 * CLUSTER);
+ASSERT_SIZE(PencilCluster, 7 * 4 * CLUSTER);
+ASSERT_SIZE(Node, 6 * 4 * CLUSTER);
+ASSERT_SIZE(Apex, 24);
+ASSERT_SIZE(EyePencil, 44);
+ASSERT_SIZE(ParallelPencil, 36);
+ASSERT_SIZE(PointPencil, 16 + 36 * MAX_FACES);
+ASSERT_SIZE(Tile, 16);
 
 #ifdef __cplusplus
 }

@@ -6,52 +6,34 @@ namespace gnomon {
 
 namespace {
 
-template <class T>
-cl::Buffer constant(const cl::Context& context, const std::vector<T>& values) {
-    // The binding takes what it copies from as not const.
-    return cl::Buffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, values.size() * sizeof(T),
-                      const_cast<T*>(values.data()));
-}
-
-SphereBuffers spheres_of(const cl::Context& context, const PencilSpheres& spheres) {
-    SphereBuffers buffers{constant(context, spheres.clusters), {}, spheres.levels, spheres.last()};
-    if (spheres.levels > 0) buffers.nodes = constant(context, spheres.nodes);
-    return buffers;
-}
-
-std::vector<Float3> albedos_of(const std::vector<Sphere>& spheres) {
-    std::vector<Float3> albedos;
-    albedos.reserve(spheres.size());
-    for (const Sphere& s : spheres)
-        albedos.push_back(
-            {static_cast<float>(s.albedo.r), static_cast<float>(s.albedo.g), static_cast<float>(s.albedo.b)});
-    return albedos;
-}
-
-/// Fills one light's buffers, whichever kind it is.
-struct LightUpload {
-    const cl::Context& context;
+/// What one light needs, whichever kind it is.
+struct PrepareLight {
+    SphereKernels& kernels;
     const Scene& scene;
-    const Hierarchy& hierarchy;
+    const Survey& survey;
+    const Frame& frame;
+    const ClusterBuffers& spheres;
     bool shadows;
 
     LightBuffers operator()(const DirectionalLight& light) const {
-        const ParallelPencil pencil = parallel_pencil(light);
-        LightBuffers buffers{pencil, lambert_factor(light), {}};
-        if (shadows) buffers.spheres = spheres_of(context, seen_along(pencil, scene.camera, hierarchy));
-        return buffers;
+        return with_spheres(parallel_pencil(light), lambert_factor(light, frame.unit));
     }
     LightBuffers operator()(const PointLight& light) const {
-        const PointPencil pencil = point_pencil(light, scene.camera);
-        LightBuffers buffers{pencil, lambert_factor(light), {}};
-        if (shadows) buffers.spheres = spheres_of(context, seen_from_point(pencil, scene.camera, hierarchy));
+        return with_spheres(point_pencil(light, scene.camera, survey, frame), lambert_factor(light, frame.unit));
+    }
+
+  private:
+    template <class Pencil>
+    LightBuffers with_spheres(const Pencil& pencil, const Float3& phi) const {
+        LightBuffers buffers{pencil, phi, {}};
+        if (shadows) buffers.spheres = kernels.project(spheres, view_of(pencil, scene.camera, frame));
         return buffers;
     }
 };
 
-TileBuffers allocate_tile(const cl::Context& context, const Plan& plan) {
-    const size_t rays = static_cast<size_t>(plan.tile_blocks) * BLOCK_RAYS;
-    const auto values = [&](size_t count) { return cl::Buffer(context, CL_MEM_READ_WRITE, count * sizeof(float)); };
+TileBuffers allocate_tile(const DeviceMemory& memory, const Plan& plan) {
+    const int64_t rays = int64_t{plan.tile_blocks} * BLOCK_RAYS;
+    const auto values = [&](int64_t count) { return memory.room<float>(count); };
     TileBuffers tile;
     tile.dirs = values(3 * rays);
     tile.ts = values(rays);
@@ -67,19 +49,26 @@ TileBuffers allocate_tile(const cl::Context& context, const Plan& plan) {
 
 }  // namespace
 
-SceneBuffers upload(const cl::Context& context, const Scene& scene, const Hierarchy& hierarchy, const Plan& plan) {
+AlbedoBuffer albedos_of(const DeviceMemory& memory, const SphereRows& rows, const RowBuffers& buffers) {
+    if (rows.columns == 7) return {buffers.rows, 4, 7};
+    const float albedo[] = {static_cast<float>(rows.albedo.r), static_cast<float>(rows.albedo.g),
+                            static_cast<float>(rows.albedo.b)};
+    return {memory.copy(albedo, 3), 0, 0};
+}
+
+SceneBuffers prepare(SphereKernels& kernels, const Scene& scene, const Survey& survey, const Frame& frame,
+                     const ClusterBuffers& spheres, const Plan& plan) {
     SceneBuffers buffers;
     buffers.eye = eye_pencil(scene.camera, scene.image);
-    buffers.spheres = spheres_of(context, seen_from_eye(scene.camera, hierarchy));
+    buffers.eye_basis = eye_basis(scene.camera);
+    buffers.spheres = kernels.project(spheres, view_of_eye(scene.camera, frame));
     if (!plan.uses(Kernel::shade_light)) return buffers;
-    buffers.albedos = constant(context, albedos_of(scene.spheres));
-    for (const Light& light : scene.lights)
-        buffers.lights.push_back(
-            std::visit(LightUpload{context, scene, hierarchy, plan.shadows != Shadows::off}, light));
+    const PrepareLight prepared{kernels, scene, survey, frame, spheres, plan.shadows != Shadows::off};
+    for (const Light& light : scene.lights) buffers.lights.push_back(std::visit(prepared, light));
     return buffers;
 }
 
-std::vector<TileBuffers>& TilePool::get(const cl::Context& context, const Plan& plan) {
+std::vector<TileBuffers>& TilePool::get(const DeviceMemory& memory, const Plan& plan) {
     const size_t count = std::min<size_t>(tile_sets, plan.tiles.size()), rays = static_cast<size_t>(plan.tile_blocks);
     const std::array<size_t, 4> shape{count, rays,
                                       plan.uses(Kernel::intersect_shadow) + size_t{2} * plan.uses(Kernel::shade_light),
@@ -87,7 +76,7 @@ std::vector<TileBuffers>& TilePool::get(const cl::Context& context, const Plan& 
     if (shape == shape_) return tiles_;
     shape_ = {};  // of no plan, in case an allocation throws
     tiles_.clear();
-    for (size_t i = 0; i < count; ++i) tiles_.push_back(allocate_tile(context, plan));
+    for (size_t i = 0; i < count; ++i) tiles_.push_back(allocate_tile(memory, plan));
     shape_ = shape;
     return tiles_;
 }

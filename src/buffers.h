@@ -5,17 +5,11 @@
 #include <variant>
 #include <vector>
 
-#include "opencl.h"
-#include "pencil_spheres.h"
+#include "device_memory.h"
 #include "plan.h"
+#include "sphere_clusters.h"
 
 namespace gnomon {
-
-/// The spheres as one pencil sees them: cl/hierarchy.h.
-struct SphereBuffers {
-    cl::Buffer clusters, nodes;
-    int levels = 0, last = 0;
-};
 
 /// One light: its pencil and factor, passed by value, and the spheres as its rays see them (when shadows are on).
 struct LightBuffers {
@@ -24,15 +18,26 @@ struct LightBuffers {
     SphereBuffers spheres;
 };
 
+/// The albedo of each id: `stride` floats apart from `first` on; the same for all when stride is 0.
+struct AlbedoBuffer {
+    cl::Buffer values;
+    int first = 0, stride = 0;
+};
+
 struct SceneBuffers {
     EyePencil eye{};
+    Basis eye_basis{};
     SphereBuffers spheres;  ///< as the eye sees them
-    cl::Buffer albedos;     ///< Float3 for each id
+    AlbedoBuffer albedos;
     std::vector<LightBuffers> lights;
 };
 
-/// The scene as the plan's steps need it.
-SceneBuffers upload(const cl::Context& context, const Scene& scene, const Hierarchy& hierarchy, const Plan& plan);
+/// The spheres' albedos lie in their rows; rows without are all of one albedo.
+AlbedoBuffer albedos_of(const DeviceMemory& memory, const SphereRows& rows, const RowBuffers& buffers);
+
+/// The scene as the plan's steps need it, its spheres as all its pencils see them.
+SceneBuffers prepare(SphereKernels& kernels, const Scene& scene, const Survey& survey, const Frame& frame,
+                     const ClusterBuffers& spheres, const Plan& plan);
 
 /// Rays and hits of one tile, in block order; planes receives the film's part where it is not written in place.
 struct TileBuffers {
@@ -42,7 +47,7 @@ struct TileBuffers {
 /// The tiles under way, allocated on first use and kept as long as plans have the same shape.
 class TilePool {
   public:
-    std::vector<TileBuffers>& get(const cl::Context& context, const Plan& plan);
+    std::vector<TileBuffers>& get(const DeviceMemory& memory, const Plan& plan);
 
   private:
     std::vector<TileBuffers> tiles_;

@@ -37,7 +37,7 @@ size_t spread(int64_t i, size_t pixels) {
 }  // namespace
 
 Check check(const Scene& scene, const Film& film, bool shadows, int64_t pixels, int64_t tests) {
-    const auto work = static_cast<int64_t>((scene.spheres.size() + 1) * (1 + (shadows ? scene.lights.size() : 0)));
+    const auto work = (sphere_count(scene) + 1) * static_cast<int64_t>(1 + (shadows ? scene.lights.size() : 0));
     const int64_t count = std::clamp<int64_t>(tests / work, 1, std::min(pixels, static_cast<int64_t>(film.pixels())));
     Check result;
     std::vector<double> offs;
@@ -45,7 +45,7 @@ Check check(const Scene& scene, const Film& film, bool shadows, int64_t pixels, 
     for (int64_t i = 0; i < count; ++i) {
         const size_t p = spread(i, film.pixels()), width = static_cast<size_t>(film.width);
         const auto ray = reference::eye_ray(scene, static_cast<int>(p % width), static_cast<int>(p / width));
-        const auto hit = reference::closest_hit(scene.spheres, ray);
+        const auto hit = reference::closest_hit(scene, ray);
         ++result.pixels;
         if (!film.id.empty() && film.id[p] != hit.id) ++result.wrong_ids;
         if (!film.distance.empty() && hit.id >= 0 && std::isfinite(film.distance[p]))

@@ -1,33 +1,27 @@
-// The order of the spheres, and balls around 16, 256, ... of them: what all pencils share.
+// How many clusters and nodes there are over so many spheres: the hierarchy's shape follows from their number alone.
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <vector>
-
-#include "../cl/types.h"
-#include "scene.h"
 
 namespace gnomon {
 
-struct Ball {
-    Vec3 center;
-    double radius = 0;
+/// Up to so many spheres the clusters are visited one after the other: no sorting, no nodes.
+constexpr int64_t flat_spheres = 256;
+
+struct HierarchyShape {
+    int64_t spheres = 0;
+    int clusters = 0;  ///< of 16 spheres
+    std::vector<int>
+        nodes;  ///< on each level, the lowest first: 16 clusters a node, then 16 nodes; the last level has one
+
+    int levels() const { return static_cast<int>(nodes.size()); }
+    int all_nodes() const;
+    /// The last node, which is the root; without nodes the last cluster.
+    int last() const { return (nodes.empty() ? clusters : all_nodes()) - 1; }
+    bool is_flat() const { return nodes.empty(); }
 };
 
-/// Spheres sorted so that neighbours in the order are neighbours in space, and of like size; sphere k lies in cluster k
-/// / 16.
-struct Hierarchy {
-    std::vector<int> order;     ///< ids of the distinct spheres
-    std::vector<Ball> spheres;  ///< those spheres
-    std::vector<std::vector<Ball>>
-        levels;  ///< levels[0]: around each cluster; levels[k]: around 16 balls of levels[k - 1]
-};
-
-/// Up to so many spheres the clusters are visited one after the other: no levels.
-constexpr size_t flat_spheres = CLUSTER * CLUSTER;
-
-/// Coincident spheres count as one: the lowest id stands for all. Linear in the number of spheres, but for the sort.
-/// The last level has at most 16 balls, the root's children.
-Hierarchy build_hierarchy(const std::vector<Sphere>& spheres);
+HierarchyShape hierarchy_over(int64_t spheres);
 
 }  // namespace gnomon

@@ -2,42 +2,95 @@
 
 #include <cmath>
 
+#include "rounding.h"
+
 namespace gnomon {
 
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-Float3 rounded(const Vec3& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
+Float3 rounded(const Vec3& v) { return {round_to_float(v.x), round_to_float(v.y), round_to_float(v.z)}; }
+Vec3 widened(const Float3& v) { return {v.x, v.y, v.z}; }
+
+/// Three directions, of which two span the plane across the third.
+struct Directions {
+    Vec3 u, v, axis;
+};
+Basis rounded(const Directions& d) { return {rounded(d.u), rounded(d.v), rounded(d.axis)}; }
+
+Directions view(const Camera& camera) {
+    const Vec3 z = normalize(camera.at - camera.eye), x = normalize(cross(camera.up, z));
+    return {x, cross(z, x), z};
+}
+
+Directions across(const Vec3& axis) {
+    const Vec3 other = std::fabs(axis.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};  // at least 30 degrees off
+    const Vec3 u = normalize(cross(other, axis));
+    return {u, cross(axis, u), axis};
+}
+
+/// Whether the box around all spheres lies on the axis's side of a point, and so much that its picture on a plane at
+/// distance 1 stays small: no corner farther off the axis than 75 degrees.
+bool sees_all(const Vec3& point, const Vec3& axis, const Survey& s) {
+    constexpr double cosine = 0.26;
+    const double r = s.largest_radius;
+    for (const double x : {s.low.x - r, s.high.x + r})
+        for (const double y : {s.low.y - r, s.high.y + r})
+            for (const double z : {s.low.z - r, s.high.z + r}) {
+                const Vec3 way = Vec3{x, y, z} - point;
+                if (!(dot(way, axis) > cosine * length(way))) return false;
+            }
+    return true;
+}
+
+Apex apex_of(const Vec3& p) { return {rounded(p), {rest_of_float(p.x), rest_of_float(p.y), rest_of_float(p.z)}}; }
 
 }  // namespace
 
 EyePencil eye_pencil(const Camera& camera, const ImageSize& image) {
-    const Vec3 z = normalize(camera.at - camera.eye), x = normalize(cross(camera.up, z)), y = cross(z, x);
+    const Directions d = view(camera);
     const double half_height = std::tan(camera.fov * pi / 360);  // of the image plane at distance 1
     const double half_pixel = half_height / image.height;
-    return {rounded(z), rounded(x * half_pixel), rounded(y * half_pixel), image.width, image.height};
+    return {rounded(d.axis), rounded(d.u * half_pixel), rounded(d.v * half_pixel), image.width, image.height};
 }
+
+Basis eye_basis(const Camera& camera) { return rounded(view(camera)); }
 
 ParallelPencil parallel_pencil(const DirectionalLight& light) {
-    const Vec3 dir = normalize(light.direction_to_light);
-    const Vec3 other = std::fabs(dir.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};  // at least 30 degrees off dir
-    const Vec3 u = normalize(cross(other, dir)), v = cross(dir, u);
-    return {rounded(u), rounded(v), rounded(dir)};
+    return {rounded(across(normalize(light.direction_to_light)))};
 }
 
-PointPencil point_pencil(const PointLight& light, const Camera& camera) {
-    return {rounded(light.position - camera.eye)};
+PointPencil point_pencil(const PointLight& light, const Camera& camera, const Survey& survey, const Frame& frame) {
+    PointPencil pencil{rounded((light.position - camera.eye) * (1 / frame.unit)), 1, {}};
+    const Vec3 way = survey.low * 0.5 + survey.high * 0.5 - light.position;
+    const double distance = length(way);
+    if (distance > 0 && std::isfinite(distance) && sees_all(light.position, way * (1 / distance), survey)) {
+        pencil.face[0] = rounded(across(way * (1 / distance)));
+        return pencil;
+    }
+    pencil.faces = 0;
+    for (const double sign : {-1.0, 1.0})
+        for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+            pencil.face[pencil.faces++] = rounded(across(axis * sign));
+    return pencil;
 }
 
-Float3 lambert_factor(const DirectionalLight& light) {
+Apex eye_apex(const Camera& camera, const Frame& frame) { return apex_of(frame.place(camera.eye)); }
+
+Apex point_apex(const PointPencil& pencil, const Camera& camera, const Frame& frame) {
+    return apex_of(frame.place(camera.eye) + widened(pencil.origin));
+}
+
+Float3 lambert_factor(const DirectionalLight& light, double) {
     const Rgb& e = light.irradiance;
     return rounded(Vec3{e.r, e.g, e.b} * (1 / pi));
 }
 
-Float3 lambert_factor(const PointLight& light) {
+Float3 lambert_factor(const PointLight& light, double unit) {
     const Rgb& p = light.power;
-    return rounded(Vec3{p.r, p.g, p.b} * (1 / (4 * pi * pi)));
+    // Divided twice: the square of an extreme unit may be out of range where the scaled power is not.
+    return rounded(Vec3{p.r, p.g, p.b} * (1 / unit) * (1 / unit) * (1 / (4 * pi * pi)));
 }
 
 }  // namespace gnomon

@@ -4,18 +4,27 @@
 
 #include "../cl/types.h"
 #include "scene.h"
+#include "survey.h"
 
 namespace gnomon {
 
 /// The eye's pencil: x_c = up x z_c, y_c = z_c x x_c, rays through pixel centres, row 0 at the top.
 EyePencil eye_pencil(const Camera& camera, const ImageSize& image);
-/// The pencil toward a directional light: an orthonormal basis with the light's direction last.
+/// Its orthonormal basis, the axis along the view.
+Basis eye_basis(const Camera& camera);
+/// The pencil toward a directional light: a basis with the light's direction as its axis.
 ParallelPencil parallel_pencil(const DirectionalLight& light);
-/// The pencil from a point light, placed relative to the eye.
-PointPencil point_pencil(const PointLight& light, const Camera& camera);
+/// The pencil from a point light, placed relative to the eye in the frame's unit, with one face if all spheres lie on
+/// one side of the light.
+PointPencil point_pencil(const PointLight& light, const Camera& camera, const Survey& survey, const Frame& frame);
 
-/// The factor of albedo * geometry in a light's Lambert term: irradiance / pi, and power / (4 pi^2) for a point light.
-Float3 lambert_factor(const DirectionalLight& light);
-Float3 lambert_factor(const PointLight& light);
+/// Where a pencil's rays meet, in the frame: the eye, and the light where the kernels' float says it is.
+Apex eye_apex(const Camera& camera, const Frame& frame);
+Apex point_apex(const PointPencil& pencil, const Camera& camera, const Frame& frame);
+
+/// The factor of albedo * geometry in a light's Lambert term, for lengths in this unit: irradiance / pi, and power / (4
+/// pi^2) for a point light.
+Float3 lambert_factor(const DirectionalLight& light, double unit);
+Float3 lambert_factor(const PointLight& light, double unit);
 
 }  // namespace gnomon

@@ -118,11 +118,36 @@ void add_lights(Chain& chain, const Scene& scene, Shadows shadows) {
     }
 }
 
+/// The kernels that put the spheres in order, and in each pencil's view.
+void add_sphere_kernels(Plan& plan, const Scene& scene) {
+    const auto add = [&](Kernel kernel, bool parallel = false) {
+        const Variant variant = sphere_variant(kernel, plan.has_rests, parallel);
+        std::vector<Variant>& all = plan.variants;
+        if (std::find(all.begin(), all.end(), variant) == all.end()) all.push_back(variant);
+    };
+    const auto add_view = [&](bool parallel) {
+        add(Kernel::project_spheres, parallel);
+        if (plan.flat()) return;
+        add(Kernel::bound_clusters, parallel);
+        add(Kernel::bound_nodes, parallel);
+    };
+    if (!plan.flat())
+        for (const Kernel kernel :
+             {Kernel::sphere_keys, Kernel::count_digits, Kernel::scan_counts, Kernel::scatter_pairs})
+            add(kernel);
+    add(Kernel::find_duplicates);
+    add(Kernel::gather_spheres);
+    add_view(false);
+    if (plan.shadows == Shadows::off || !plan.uses(Kernel::shade_light)) return;
+    for (const Light& light : scene.lights)
+        if (shines(light)) add_view(std::holds_alternative<DirectionalLight>(light));
+}
+
 /// Only what the scene and the outputs need: without spheres, or without anything to show of them, no launch at all.
 void add_steps(Plan& plan, const Scene& scene, const RenderOptions& options) {
     const Outputs& wanted = options.outputs;
     const bool shaded = wanted.radiance && std::any_of(scene.lights.begin(), scene.lights.end(), shines);
-    if (scene.spheres.empty() || !(shaded || wanted.distance || wanted.normal || wanted.id)) return;
+    if (plan.spheres == 0 || !(shaded || wanted.distance || wanted.normal || wanted.id)) return;
     Chain chain(plan);
     chain.add_lanes({Kernel::generate_rays, 0}, {});
     chain.add_tracing({Kernel::intersect_closest, 0}, {});
@@ -135,12 +160,12 @@ void add_steps(Plan& plan, const Scene& scene, const RenderOptions& options) {
 }
 
 uint64_t cluster_bytes(int64_t spheres) {
-    return static_cast<uint64_t>((spheres + CLUSTER - 1) / CLUSTER) * sizeof(SphereCluster);
+    return static_cast<uint64_t>((spheres + CLUSTER - 1) / CLUSTER) * sizeof(PencilCluster);
 }
 
 /// Nodes over the clusters: a fifteenth as many, and one a level for what does not divide.
 uint64_t node_bytes(int64_t spheres) {
-    return (static_cast<uint64_t>(spheres) / (CLUSTER * (CLUSTER - 1)) + MAX_LEVELS) * sizeof(Bounds);
+    return (static_cast<uint64_t>(spheres) / (CLUSTER * (CLUSTER - 1)) + MAX_LEVELS) * sizeof(Node);
 }
 
 /// A block of receivers is traced as one while its depth is not much more than its width: 16 times the 8 pixels.
@@ -151,7 +176,8 @@ float group_depth(const Scene& scene) {
 
 uint64_t scene_bytes(const Scene& scene, int64_t distinct, const RenderOptions& options) {
     const uint64_t pencils = 1 + (options.shadows ? scene.lights.size() : 0);
-    return pencils * (cluster_bytes(distinct) + node_bytes(distinct)) + scene.spheres.size() * sizeof(Float3);
+    return pencils * (cluster_bytes(distinct) + node_bytes(distinct)) +
+           static_cast<uint64_t>(distinct) * sizeof(Float3);
 }
 
 void check_memory(const Plan& plan, int64_t distinct, const DeviceLimits& limits) {
@@ -175,22 +201,15 @@ DeviceLimits::DeviceLimits(const DeviceInfo& info)
       max_work_group(info.max_work_group),
       global_bytes(info.global_bytes),
       max_alloc_bytes(info.max_alloc_bytes),
+      compute_units(info.compute_units),
       shares_memory(info.shares_memory) {}
 
 const char* to_string(Kernel kernel) {
-    switch (kernel) {
-        case Kernel::generate_rays:
-            return "generate_rays";
-        case Kernel::intersect_closest:
-            return "intersect_closest";
-        case Kernel::intersect_shadow:
-            return "intersect_shadow";
-        case Kernel::shade_light:
-            return "shade_light";
-        case Kernel::resolve:
-            break;
-    }
-    return "resolve";
+    static constexpr const char* names[] = {
+        "sphere_keys",       "count_digits",     "scan_counts",    "scatter_pairs", "find_duplicates",
+        "gather_spheres",    "project_spheres",  "bound_clusters", "bound_nodes",   "generate_rays",
+        "intersect_closest", "intersect_shadow", "shade_light",    "resolve"};
+    return names[static_cast<int>(kernel)];
 }
 
 std::string Variant::options() const {
@@ -199,25 +218,50 @@ std::string Variant::options() const {
     return text;
 }
 
+Variant sphere_variant(Kernel kernel, bool has_rests, bool is_parallel) {
+    const std::string rests = has_rests ? "RESTS=1" : "RESTS=0", parallel = is_parallel ? "PARALLEL=1" : "PARALLEL=0";
+    switch (kernel) {
+        case Kernel::project_spheres:
+            return {kernel, {rests, parallel}};
+        case Kernel::bound_clusters:
+        case Kernel::bound_nodes:
+            return {kernel, {"LANES=16", "PACKETS=1", parallel}};
+        case Kernel::sphere_keys:
+        case Kernel::find_duplicates:
+        case Kernel::gather_spheres:
+            return {kernel, {rests}};
+        default:
+            return {kernel, {}};
+    }
+}
+
 int Plan::items(Kernel kernel, const Tile& tile) const {
     if (kernel != Kernel::resolve) return tile.blocks * BLOCK_RAYS / rays_per_item();
     return (tile.blocks_x + 1) / 2 * (tile.blocks / tile.blocks_x) * BLOCK_SIDE;
 }
 
-bool Plan::flat() const { return spheres <= static_cast<int64_t>(flat_spheres); }
+bool Plan::flat() const { return spheres <= flat_spheres; }
+
+int Plan::slices(int64_t pairs) const {
+    constexpr int64_t least = 4 * DIGITS;  // fewer than its counts are not worth a slice
+    return static_cast<int>(std::clamp<int64_t>(pairs / least, 1, max_slices));
+}
 
 bool Plan::uses(Kernel kernel) const {
     return std::any_of(steps.begin(), steps.end(), [=](const Step& s) { return s.kernel == kernel; });
 }
 
-Plan make_plan(const Scene& scene, int64_t distinct, const RenderOptions& options, const DeviceLimits& limits) {
+Plan make_plan(const Scene& scene, const Survey& survey, const RenderOptions& options, const DeviceLimits& limits) {
     Plan plan;
     plan.image = scene.image;
     plan.lanes = choose_lanes(options.lanes, limits);
     plan.packets = plan.lanes == 1 ? 1 : 4;  // 4 vectors share the load of a sphere; more would spill
     plan.local_size = static_cast<int>(std::min<uint64_t>(limits.cpu ? 16 : 64, limits.max_work_group));
+    plan.slice_local_size = limits.cpu ? 1 : plan.local_size;
+    plan.max_slices = limits.compute_units * (limits.cpu ? 16 : 64);
     plan.tiles = cut(scene.image, tile_rays(options.tile, limits));
-    plan.spheres = distinct;
+    plan.spheres = survey.count;
+    plan.has_rests = !choose_frame(scene, survey).floats;
     plan.group_depth = group_depth(scene);
     const uint64_t plane_bytes =
         static_cast<uint64_t>(scene.image.width) * static_cast<uint64_t>(scene.image.height) * 4;
@@ -226,11 +270,12 @@ Plan make_plan(const Scene& scene, int64_t distinct, const RenderOptions& option
     // A launch costs a CPU more than it does a GPU, and hits read twice cost more than registers.
     if (options.shadows) plan.shadows = limits.cpu ? Shadows::traced : Shadows::read;
     add_steps(plan, scene, options);
+    if (!plan.steps.empty()) add_sphere_kernels(plan, scene);
     for (const Tile& tile : plan.tiles) plan.tile_blocks = std::max(plan.tile_blocks, tile.blocks);
     if (plan.steps.empty()) return plan;
-    plan.device_bytes = scene_bytes(scene, distinct, options) +
+    plan.device_bytes = scene_bytes(scene, survey.count, options) +
                         static_cast<uint64_t>(tile_sets * plan.tile_blocks) * BLOCK_RAYS * bytes_per_ray;
-    check_memory(plan, distinct, limits);
+    check_memory(plan, survey.count, limits);
     return plan;
 }
 

@@ -7,6 +7,7 @@
 
 #include "../cl/types.h"
 #include "render.h"
+#include "survey.h"
 
 namespace gnomon {
 
@@ -15,13 +16,29 @@ struct DeviceLimits {
     bool cpu = true;
     int native_width_float = 16;
     uint64_t max_work_group = 4096, global_bytes = uint64_t{4} << 30, max_alloc_bytes = uint64_t{1} << 30;
+    int compute_units = 2;
     bool shares_memory = true;  ///< with the host: the film is written in place
 
     DeviceLimits() = default;
     explicit DeviceLimits(const DeviceInfo& info);
 };
 
-enum class Kernel { generate_rays, intersect_closest, intersect_shadow, shade_light, resolve };
+enum class Kernel {
+    sphere_keys,
+    count_digits,
+    scan_counts,
+    scatter_pairs,
+    find_duplicates,
+    gather_spheres,  // once a scene
+    project_spheres,
+    bound_clusters,
+    bound_nodes,  // once a pencil
+    generate_rays,
+    intersect_closest,
+    intersect_shadow,
+    shade_light,
+    resolve  // once a tile
+};
 const char* to_string(Kernel kernel);
 
 /// One of the film's outputs, for resolve.
@@ -36,7 +53,12 @@ struct Variant {
     std::vector<std::string> defines;
 
     std::string options() const;  ///< "-D LANES=16 ..."
+    bool operator==(const Variant& other) const { return kernel == other.kernel && defines == other.defines; }
 };
+
+/// A kernel of those before the tiles: whether spheres have rests (sphere_rows.h), whether the pencil is parallel; what
+/// does not matter to it is left out.
+Variant sphere_variant(Kernel kernel, bool has_rests = false, bool is_parallel = false);
 
 /// One launch of every tile's chain; each waits for the one before it.
 struct Step {
@@ -50,7 +72,9 @@ struct Step {
 struct Plan {
     ImageSize image;
     int lanes = 1, packets = 1;  ///< rays a vector, vectors a work-item
-    int local_size = 1;          ///< work-items a group, the same for all launches
+    int local_size = 1;          ///< work-items a group, the same for all launches but
+    int slice_local_size = 1;    ///< those over the slices of a sort
+    int max_slices = 1;          ///< parts into which a sort is cut
     Shadows shadows = Shadows::off;
     bool stream = true;             ///< resolve writes past the caches
     bool write_in_place = true;     ///< the film's planes are the device's buffers
@@ -58,14 +82,16 @@ struct Plan {
     std::vector<Tile> tiles;        ///< covering the image, row by row
     std::vector<Variant> variants;  ///< the kernels to build: these and no others
     std::vector<Step> steps;        ///< for each tile, in order; empty when there is nothing to trace
-    float group_depth = 0;      ///< receivers whose distances differ by no more than this factor are traced together
-    int64_t spheres = 0;        ///< distinct ones
+    float group_depth = 0;  ///< receivers whose distances differ by no more than this factor are traced together
+    int64_t spheres = 0;
+    bool has_rests = false;     ///< their numbers are not all floats
     uint64_t device_bytes = 0;  ///< all buffers together
 
     int rays_per_item() const { return lanes * packets; }
     int items(Kernel kernel, const Tile& tile) const;
-    bool flat() const;               ///< so few spheres that their clusters are visited one after the other
-    bool uses(Kernel kernel) const;  ///< some step launches it
+    bool flat() const;                ///< so few spheres that their clusters are visited one after the other
+    bool uses(Kernel kernel) const;   ///< some step launches it
+    int slices(int64_t pairs) const;  ///< a sort's, of so many
 };
 
 /// How many tiles are under way at once: one computes while the one before is read back.
@@ -74,8 +100,8 @@ constexpr int tile_sets = 2;
 /// Bytes of one ray in a tile's buffers: dir 12, t 4, normal 12, id 4, arrival 4, radiance 12.
 constexpr int64_t bytes_per_ray = 48;
 
-/// `distinct` is the number of spheres left when coincident ones count as one. Throws Error(Blame::input) for lanes or
-/// a tile that cannot be, Error(Blame::run) when the scene does not fit the device.
-Plan make_plan(const Scene& scene, int64_t distinct, const RenderOptions& options, const DeviceLimits& limits);
+/// Of the spheres only what the survey says is looked at. Throws Error(Blame::input) for lanes or a tile that cannot
+/// be, Error(Blame::run) when the scene does not fit the device.
+Plan make_plan(const Scene& scene, const Survey& survey, const RenderOptions& options, const DeviceLimits& limits);
 
 }  // namespace gnomon

@@ -49,31 +49,32 @@ Ray eye_ray(const Scene& scene, int i, int j) {
     return {camera.eye, unit(point)};
 }
 
-Hit closest_hit(const std::vector<Sphere>& spheres, const Ray& ray) {
+Hit closest_hit(const Scene& scene, const Ray& ray) {
     Hit hit{infinity, -1, {infinity, infinity, infinity}, {infinity, infinity, infinity}};
-    for (size_t id = 0; id < spheres.size(); ++id) {
-        const Roots roots = intersect(ray, spheres[id]);
+    for_each_sphere(scene, [&](int64_t id, const Sphere& sphere) {
+        const Roots roots = intersect(ray, sphere);
         const double t = roots.near > 0 ? roots.near : roots.far;
-        if (!roots.real || !(t > 0) || !(t < hit.t)) continue;
+        if (!roots.real || !(t > 0) || !(t < hit.t)) return;
         hit.t = t;
         hit.id = static_cast<int>(id);
-    }
+    });
     if (hit.id < 0) return hit;
     hit.position = ray.origin + ray.dir * hit.t;
-    hit.normal = unit(hit.position - spheres[static_cast<size_t>(hit.id)].center);
+    hit.normal = unit(hit.position - sphere_of(scene, hit.id).center);
     return hit;
 }
 
 bool in_between(const Scene& scene, const Hit& hit, const Light& light) {
     double distance = 0;
     const Ray ray = toward(hit.position, light, distance);
-    for (const Sphere& sphere : scene.spheres) {
-        if (coincide(sphere, scene.spheres[static_cast<size_t>(hit.id)])) continue;
+    const Sphere own = sphere_of(scene, hit.id);
+    bool found = false;
+    for_each_sphere(scene, [&](int64_t, const Sphere& sphere) {
         const Roots roots = intersect(ray, sphere);
-        if (!roots.real) continue;
-        if ((roots.near > 0 && roots.near < distance) || (roots.far > 0 && roots.far < distance)) return true;
-    }
-    return false;
+        if (!roots.real || coincide(sphere, own)) return;
+        found = found || (roots.near > 0 && roots.near < distance) || (roots.far > 0 && roots.far < distance);
+    });
+    return found;
 }
 
 double cosine(const Hit& hit, const Light& light) {
@@ -93,7 +94,7 @@ Rgb lambert(const Scene& scene, const Hit& hit, const Light& light) {
     } else {
         phi = std::get<DirectionalLight>(light).irradiance;
     }
-    const Rgb& rho = scene.spheres[static_cast<size_t>(hit.id)].albedo;
+    const Rgb rho = sphere_of(scene, hit.id).albedo;
     return {rho.r * phi.r * factor, rho.g * phi.g * factor, rho.b * phi.b * factor};
 }
 

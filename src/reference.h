@@ -31,7 +31,7 @@ Roots intersect(const Ray& ray, const Sphere& sphere);
 Ray eye_ray(const Scene& scene, int i, int j);
 
 /// Smallest t > 0; of equal t the lowest id.
-Hit closest_hit(const std::vector<Sphere>& spheres, const Ray& ray);
+Hit closest_hit(const Scene& scene, const Ray& ray);
 
 /// Whether anything but the hit sphere itself (or one that coincides with it) lies between the hit and the light.
 bool in_between(const Scene& scene, const Hit& hit, const Light& light);

@@ -7,7 +7,6 @@
 #include "error.h"
 #include "program.h"
 #include "scheduler.h"
-#include "unit.h"
 
 namespace gnomon {
 
@@ -49,7 +48,7 @@ RenderStats planned(const Plan& plan, const Scene& scene) {
     stats.tile_rays = int64_t{plan.tile_blocks} * BLOCK_RAYS;
     stats.device_bytes = static_cast<int64_t>(plan.device_bytes);
     stats.pixels = int64_t{plan.image.width} * plan.image.height;
-    stats.spheres = static_cast<int64_t>(scene.spheres.size());
+    stats.spheres = plan.spheres;
     stats.lights = static_cast<int64_t>(scene.lights.size());
     return stats;
 }
@@ -69,12 +68,24 @@ int64_t shaded_lights(const Plan& plan) {
 
 }  // namespace
 
+namespace {
+
+/// The scene on the device, and what it lies in.
+struct Prepared {
+    SphereRows rows;
+    RowBuffers row_buffers;
+    SceneBuffers buffers;
+};
+
+}  // namespace
+
 struct Renderer::State {
     DeviceInfo info;
     cl::Device device;
     cl::Context context;
     cl::CommandQueue queue;
     Programs programs;
+    DeviceMemory memory;
     TilePool tiles;
 
     explicit State(const DeviceInfo& i)
@@ -83,6 +94,7 @@ struct Renderer::State {
           context(device),
           queue(make_queue(context, device, i)),
           programs(context, device, i),
+          memory(context, i.shares_memory),
           tiles() {}
 
     std::vector<cl::Kernel> build(const Plan& plan, RenderStats& stats) {
@@ -97,13 +109,33 @@ struct Renderer::State {
         return kernels;
     }
 
+    Prepared prepare(const Plan& plan, const Scene& scene, const Survey& survey, const Frame& frame,
+                     RenderStats& stats) {
+        Launcher launcher(queue, programs);
+        SphereKernels sphere_kernels(memory, launcher, plan);
+        Prepared prepared{sphere_rows(scene, frame, 0, survey.count), {}, {}};
+        prepared.row_buffers = upload(memory, prepared.rows);
+        const ClusterBuffers clusters = sphere_kernels.gather(prepared.row_buffers, 0, survey.count, survey, frame);
+        prepared.buffers = gnomon::prepare(sphere_kernels, scene, survey, frame, clusters, plan);
+        prepared.buffers.albedos = albedos_of(memory, prepared.rows, prepared.row_buffers);
+        launcher.finish();
+        for (const Launcher::Launched& l : launcher.take_launched()) {
+            const auto at = std::find(plan.variants.begin(), plan.variants.end(), l.variant) - plan.variants.begin();
+            KernelStats& kernel = stats.kernels[static_cast<size_t>(at)];
+            kernel.launches += 1;
+            kernel.seconds += seconds_of(l.event);
+        }
+        return prepared;
+    }
+
     void trace(const Plan& plan, const SceneBuffers& buffers, const std::vector<cl::Kernel>& kernels, Film& film,
                const std::function<void(double)>& progress, RenderStats& stats) {
-        Scheduler scheduler(context, queue, plan, buffers, tiles.get(context, plan), kernels, film);
+        Scheduler scheduler(context, queue, memory, plan, buffers, tiles.get(memory, plan), kernels, film);
         const Measured measured = scheduler.run(progress);
         stats.hits = measured.hits;
         for (size_t i = 0; i < plan.variants.size(); ++i) {
             KernelStats& kernel = stats.kernels[i];
+            if (measured.launches[i] == 0) continue;
             kernel.launches = measured.launches[i];
             kernel.seconds = measured.seconds[i];
             const int64_t lights = lights_of(plan, i);
@@ -123,15 +155,10 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 RenderStats Renderer::render(const Scene& scene, const RenderOptions& options, Film& film) try {
-    const double start = now(), unit = choose_unit(scene);
-    if (unit != 1) {
-        const RenderStats stats = render(in_unit(scene, unit), options, film);
-        for (float& distance : film.distance) distance = static_cast<float>(distance * unit);
-        return stats;
-    }
-    const Hierarchy hierarchy = build_hierarchy(scene.spheres);
-    const auto distinct = static_cast<int64_t>(hierarchy.order.size());
-    const Plan plan = make_plan(scene, distinct, options, DeviceLimits(state_->info));
+    const double start = now();
+    const Survey spheres = survey(scene);
+    const Frame frame = choose_frame(scene, spheres);
+    const Plan plan = make_plan(scene, spheres, options, DeviceLimits(state_->info));
     RenderStats stats = planned(plan, scene);
     if (!fits(film, scene.image, options.outputs)) film = Film(scene.image.width, scene.image.height, options.outputs);
     fill_untouched(film, plan);
@@ -139,11 +166,13 @@ RenderStats Renderer::render(const Scene& scene, const RenderOptions& options, F
     const double planned_at = now();
     const std::vector<cl::Kernel> kernels = state_->build(plan, stats);
     const double built_at = now();
-    const SceneBuffers buffers = upload(state_->context, scene, hierarchy, plan);
-    const double uploaded_at = now();
-    state_->trace(plan, buffers, kernels, film, options.progress, stats);
-    stats.trace_seconds = now() - uploaded_at;
-    stats.prepare_seconds = uploaded_at - built_at + planned_at - start;
+    const Prepared prepared = state_->prepare(plan, scene, spheres, frame, stats);
+    const double prepared_at = now();
+    state_->trace(plan, prepared.buffers, kernels, film, options.progress, stats);
+    if (frame.unit != 1)
+        for (float& distance : film.distance) distance = static_cast<float>(distance * frame.unit);
+    stats.trace_seconds = now() - prepared_at;
+    stats.prepare_seconds = prepared_at - built_at + planned_at - start;
     stats.build_seconds = built_at - planned_at;
     return stats;
 } catch (const cl::Error& error) {

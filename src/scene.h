@@ -41,7 +41,7 @@ struct SphereTable {
     int columns = 4;      ///< 4 or 7
     Rgb albedo{1, 1, 1};  ///< of all, when rows have 4 columns
 
-    Sphere operator[](int64_t row) const;
+    Sphere operator[](size_t row) const;
 };
 
 /// Parallel light; `direction_to_light` need not be a unit vector. Irradiance on a facing surface, power per area.
@@ -73,13 +73,22 @@ int64_t sphere_count(const Scene& scene);
 /// The sphere with this id, 0 <= id < sphere_count(scene).
 Sphere sphere_of(const Scene& scene, int64_t id);
 
-/// Calls visit(id, sphere) for all spheres in the order of their ids.
+/// Calls visit(id, sphere) for the spheres with ids from `first` on, in their order.
+template <class Visit>
+void for_each_sphere(const Scene& scene, int64_t first, int64_t count, Visit visit) {
+    int64_t id = 0;
+    const int64_t end = first + count;
+    const auto some = [&](const auto& spheres, int64_t size) {
+        for (int64_t i = first > id ? first - id : 0; i < size && id + i < end; ++i)
+            visit(id + i, spheres[static_cast<size_t>(i)]);
+        id += size;
+    };
+    some(scene.spheres, static_cast<int64_t>(scene.spheres.size()));
+    for (const SphereTable& table : scene.tables) some(table, table.count);
+}
 template <class Visit>
 void for_each_sphere(const Scene& scene, Visit visit) {
-    int64_t id = 0;
-    for (const Sphere& sphere : scene.spheres) visit(id++, sphere);
-    for (const SphereTable& table : scene.tables)
-        for (int64_t row = 0; row < table.count; ++row) visit(id++, table[row]);
+    for_each_sphere(scene, 0, sphere_count(scene), visit);
 }
 
 }  // namespace gnomon

@@ -11,13 +11,6 @@ namespace {
 // and memory for events stay bounded.
 constexpr size_t tiles_ahead = 8;
 
-/// Sets all arguments in order.
-template <class... Arguments>
-void set(cl::Kernel& kernel, const Arguments&... arguments) {
-    cl_uint index = 0;
-    (kernel.setArg(index++, arguments), ...);
-}
-
 /// The film's planes behind one output, as 32-bit values.
 std::vector<std::pair<void*, size_t>> planes_of(Film& film, Output output) {
     std::vector<std::pair<void*, size_t>> planes;
@@ -39,16 +32,11 @@ std::vector<std::pair<void*, size_t>> planes_of(Film& film, Output output) {
     return planes;
 }
 
-double seconds(const cl::Event& event) {
-    return 1e-9 * static_cast<double>(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
-                                      event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
-}
-
 }  // namespace
 
-Scheduler::Scheduler(const cl::Context& context, const cl::CommandQueue& queue, const Plan& plan,
-                     const SceneBuffers& scene, const std::vector<TileBuffers>& tiles, std::vector<cl::Kernel> kernels,
-                     Film& film)
+Scheduler::Scheduler(const cl::Context& context, const cl::CommandQueue& queue, const DeviceMemory& memory,
+                     const Plan& plan, const SceneBuffers& scene, const std::vector<TileBuffers>& tiles,
+                     std::vector<cl::Kernel> kernels, Film& film)
     : context_(context), queue_(queue), plan_(plan), scene_(scene), kernels_(std::move(kernels)), film_(film) {
     for (const TileBuffers& buffers : tiles) slots_.push_back({buffers, {}, 0});
     launched_.resize(plan.tiles.size());
@@ -58,7 +46,7 @@ Scheduler::Scheduler(const cl::Context& context, const cl::CommandQueue& queue, 
         first_groups_.push_back(groups_);
         groups_ += static_cast<int>(groups(Kernel::intersect_closest, tile));
     }
-    hit_counts_ = cl::Buffer(context, CL_MEM_READ_WRITE, static_cast<size_t>(groups_) * sizeof(int));
+    hit_counts_ = memory.room<int>(groups_);
     if (!plan.write_in_place) return;
     for (const Step& step : plan.steps)
         if (step.kernel == Kernel::resolve)
@@ -109,47 +97,51 @@ size_t Scheduler::groups(Kernel kernel, const Tile& tile) const {
 
 void Scheduler::launch(const Step& step, const Tile& tile, Slot& slot) {
     cl::Kernel& kernel = kernels_[static_cast<size_t>(step.variant)];
-    set_arguments(kernel, step, tile, slot);
+    bind(kernel, step, tile, slot);
     const size_t local = static_cast<size_t>(plan_.local_size), global = groups(step.kernel, tile) * local;
     cl::Event done;
     queue_.enqueueNDRangeKernel(kernel, cl::NullRange, global, local, &slot.busy, &done);
     slot.busy = {done};
 }
 
-void Scheduler::set_arguments(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot) {
+void Scheduler::bind(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot) {
     const TileBuffers& b = slot.buffers;
     const int items = plan_.items(step.kernel, tile);
     switch (step.kernel) {
         case Kernel::generate_rays:
-            return set(kernel, scene_.eye, tile, items, b.dirs);
+            return set_arguments(kernel, scene_.eye, tile, items, b.dirs);
         case Kernel::intersect_closest:
-            return set(kernel, b.dirs, scene_.spheres.clusters, scene_.spheres.nodes, scene_.spheres.levels,
-                       scene_.spheres.last, items, b.ts, b.normals, b.ids, slot.first_group, hit_counts_);
+            return set_arguments(kernel, b.dirs, scene_.eye_basis, scene_.spheres.clusters, scene_.spheres.nodes,
+                                 scene_.spheres.levels, scene_.spheres.last, items, b.ts, b.normals, b.ids,
+                                 slot.first_group, hit_counts_);
         case Kernel::intersect_shadow:
         case Kernel::shade_light:
-            return set_light_arguments(kernel, step, slot, items);
+            return bind_light(kernel, step, slot, items);
         case Kernel::resolve:
-            return set_resolve_arguments(kernel, step, tile, slot);
+            return bind_resolve(kernel, step, tile, slot);
+        default:  // the kernels before the tiles are no steps
+            break;
     }
 }
 
-void Scheduler::set_light_arguments(cl::Kernel& kernel, const Step& step, const Slot& slot, int items) {
+void Scheduler::bind_light(cl::Kernel& kernel, const Step& step, const Slot& slot, int items) {
     const TileBuffers& b = slot.buffers;
     const LightBuffers& light = scene_.lights[static_cast<size_t>(step.light)];
     const SphereBuffers& s = light.spheres;
     const int first = step.first ? 1 : 0;
     const auto with = [&](const auto& pencil) {
         if (step.kernel == Kernel::intersect_shadow)
-            set(kernel, b.dirs, b.ts, b.normals, b.ids, s.clusters, s.nodes, s.levels, s.last, plan_.group_depth,
-                pencil, items, b.arrival);
+            set_arguments(kernel, b.dirs, b.ts, b.normals, b.ids, s.clusters, s.nodes, s.levels, s.last,
+                          plan_.group_depth, pencil, items, b.arrival);
         else
-            set(kernel, b.dirs, b.ts, b.normals, b.ids, b.arrival, s.clusters, s.nodes, s.levels, s.last,
-                plan_.group_depth, scene_.albedos, pencil, light.phi, first, items, b.radiance);
+            set_arguments(kernel, b.dirs, b.ts, b.normals, b.ids, b.arrival, s.clusters, s.nodes, s.levels, s.last,
+                          plan_.group_depth, scene_.albedos.values, scene_.albedos.first, scene_.albedos.stride, pencil,
+                          light.phi, first, items, b.radiance);
     };
     std::visit(with, light.pencil);
 }
 
-void Scheduler::set_resolve_arguments(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot) {
+void Scheduler::bind_resolve(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot) {
     const TileBuffers& b = slot.buffers;
     const cl::Buffer* const sources[] = {&b.radiance, &b.ts, &b.normals, &b.ids};
     const bool in_place = plan_.write_in_place;
@@ -158,9 +150,9 @@ void Scheduler::set_resolve_arguments(cl::Kernel& kernel, const Step& step, cons
     const auto plane = [&](size_t c) -> const cl::Buffer& {
         return in_place ? planes_[output][std::min(c, planes_[output].size() - 1)] : b.planes[c];
     };
-    set(kernel, *sources[output], components, tile, film_.width, film_.height, in_place ? 0 : tile.x,
-        in_place ? 0 : tile.y, in_place ? film_.width : tile.blocks_x * BLOCK_SIDE, plan_.items(step.kernel, tile),
-        plane(0), plane(1), plane(2));
+    set_arguments(kernel, *sources[output], components, tile, film_.width, film_.height, in_place ? 0 : tile.x,
+                  in_place ? 0 : tile.y, in_place ? film_.width : tile.blocks_x * BLOCK_SIDE,
+                  plan_.items(step.kernel, tile), plane(0), plane(1), plane(2));
 }
 
 void Scheduler::read_planes(Output output, const Tile& tile, Slot& slot) {
@@ -184,7 +176,7 @@ void Scheduler::collect(size_t tile) {
     launched_[tile].back().event.wait();
     for (const Launched& l : launched_[tile]) {
         measured_.launches[static_cast<size_t>(l.variant)] += 1;
-        measured_.seconds[static_cast<size_t>(l.variant)] += seconds(l.event);
+        measured_.seconds[static_cast<size_t>(l.variant)] += seconds_of(l.event);
     }
     launched_[tile].clear();
 }

@@ -6,7 +6,7 @@
 
 #include "buffers.h"
 #include "film.h"
-#include "opencl.h"
+#include "launcher.h"
 #include "plan.h"
 
 namespace gnomon {
@@ -22,8 +22,9 @@ struct Measured {
 class Scheduler {
   public:
     /// `tiles` are the buffers of the tiles under way, `kernels` the plan's variants, built.
-    Scheduler(const cl::Context& context, const cl::CommandQueue& queue, const Plan& plan, const SceneBuffers& scene,
-              const std::vector<TileBuffers>& tiles, std::vector<cl::Kernel> kernels, Film& film);
+    Scheduler(const cl::Context& context, const cl::CommandQueue& queue, const DeviceMemory& memory, const Plan& plan,
+              const SceneBuffers& scene, const std::vector<TileBuffers>& tiles, std::vector<cl::Kernel> kernels,
+              Film& film);
 
     /// Launches everything and waits for it; the film is then complete.
     Measured run(const std::function<void(double)>& progress);
@@ -43,9 +44,9 @@ class Scheduler {
     void enqueue(size_t tile);
     size_t groups(Kernel kernel, const Tile& tile) const;
     void launch(const Step& step, const Tile& tile, Slot& slot);
-    void set_arguments(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot);
-    void set_light_arguments(cl::Kernel& kernel, const Step& step, const Slot& slot, int items);
-    void set_resolve_arguments(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot);
+    void bind(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot);
+    void bind_light(cl::Kernel& kernel, const Step& step, const Slot& slot, int items);
+    void bind_resolve(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot);
     void read_planes(Output output, const Tile& tile, Slot& slot);
     void collect(size_t tile);
     void map_film();

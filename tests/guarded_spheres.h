@@ -1,20 +1,82 @@
-// The hierarchy of one pencil, on a device, for kernels that are tested alone.
+// The hierarchy of one pencil, built on a device, for kernels that are tested alone.
 #pragma once
 
 #include <algorithm>
 
 #include "kernel_harness.h"
-#include "pencil_spheres.h"
+#include "sphere_clusters.h"
 
 namespace gnomon::test {
 
+/// What one pencil sees of a scene, read back.
+struct PencilSpheres {
+    std::vector<PencilCluster> clusters;
+    std::vector<Node> nodes;  ///< of all its faces
+    int levels = 0, last = 0;
+};
+
+template <class T>
+std::vector<T> read_back(Bench& bench, const cl::Buffer& buffer, size_t count) {
+    std::vector<T> values(count);
+    if (count > 0) bench.queue.enqueueReadBuffer(buffer, CL_TRUE, 0, count * sizeof(T), values.data());
+    return values;
+}
+
+/// How sorting is shared out.
+struct Sharing {
+    int slices = 32;
+};
+
+/// The scene's spheres in the order of the hierarchy, on the device.
+class DeviceSpheres {
+  public:
+    DeviceSpheres(Bench& bench, const Scene& scene, const Sharing& sharing = {})
+        : survey(gnomon::survey(scene)),
+          frame(choose_frame(scene, survey)),
+          bench_(bench),
+          memory_(bench.context, bench.info.shares_memory),
+          launcher_(bench.queue, bench.programs),
+          rows_(sphere_rows(scene, frame, 0, survey.count)) {
+        plan_.local_size = bench.local;
+        plan_.max_slices = sharing.slices;
+        SphereKernels kernels(memory_, launcher_, plan_);
+        buffers = kernels.gather(upload(memory_, rows_), 0, survey.count, survey, frame);
+    }
+    PencilSpheres seen(const PencilView& view) {
+        const SphereBuffers seen = SphereKernels(memory_, launcher_, plan_).project(buffers, view);
+        const HierarchyShape& shape = buffers.shape;
+        return {read_back<PencilCluster>(bench_, seen.clusters, static_cast<size_t>(shape.clusters)),
+                read_back<Node>(bench_, seen.nodes, view.faces.size() * static_cast<size_t>(shape.all_nodes())),
+                seen.levels, seen.last};
+    }
+    std::vector<Cluster> clusters() const {
+        return read_back<Cluster>(bench_, buffers.clusters, static_cast<size_t>(buffers.shape.clusters));
+    }
+
+    Survey survey;
+    Frame frame;
+    ClusterBuffers buffers;
+
+  private:
+    Bench& bench_;
+    DeviceMemory memory_;
+    Launcher launcher_;
+    Plan plan_;
+    SphereRows rows_;
+};
+
+inline PencilSpheres seen_from_eye(Bench& bench, const Scene& scene) {
+    DeviceSpheres spheres(bench, scene);
+    return spheres.seen(view_of_eye(scene.camera, spheres.frame));
+}
+
 struct GuardedSpheres {
-    GuardedBuffer<SphereCluster> clusters;
-    GuardedBuffer<Bounds> nodes;
+    GuardedBuffer<PencilCluster> clusters;
+    GuardedBuffer<Node> nodes;
 
     GuardedSpheres(Bench& bench, const PencilSpheres& spheres)
         : clusters(bench, spheres.clusters),
-          nodes(bench, spheres.nodes.empty() ? std::vector<Bounds>(1) : spheres.nodes) {}  // no buffer is empty
+          nodes(bench, spheres.nodes.empty() ? std::vector<Node>(1) : spheres.nodes) {}  // no buffer is empty
     void check_unchanged() const {
         clusters.check_unchanged();
         nodes.check_unchanged();
@@ -23,9 +85,17 @@ struct GuardedSpheres {
 
 /// The same with everything within reach of every ray: brute force, by the same kernels.
 inline PencilSpheres within_reach(PencilSpheres spheres) {
-    const auto widen = [](Bounds& b) { std::fill(std::begin(b.reach), std::end(b.reach), INFINITY); };
-    for (SphereCluster& c : spheres.clusters) widen(c.bounds);
-    for (Bounds& b : spheres.nodes) widen(b);
+    for (PencilCluster& c : spheres.clusters)
+        for (int i = 0; i < CLUSTER; ++i)
+            if (c.id[i] >= 0) c.reach[i] = INFINITY;
+    const auto fill = [](float* values, float value) { std::fill(values, values + CLUSTER, value); };
+    for (Node& n : spheres.nodes) {
+        fill(n.x0, -INFINITY);
+        fill(n.x1, INFINITY);
+        fill(n.y0, -INFINITY);
+        fill(n.y1, INFINITY);
+        fill(n.depth, NAN);  // neither too far nor behind
+    }
     return spheres;
 }
 

@@ -18,7 +18,8 @@ inline bool same_bits(const Hits& a, const Hits& b) {
 }
 
 /// Launches over packed directions; checks guards, inputs and the hits counted.
-inline Hits closest(Bench& bench, Width w, const PencilSpheres& spheres, const std::vector<float>& packed_dirs) {
+inline Hits closest(Bench& bench, Width w, const Camera& camera, const PencilSpheres& spheres,
+                    const std::vector<float>& packed_dirs) {
     INFO(w);
     constexpr int first_group = 3, counted_before = 1000;
     const size_t rays = packed_dirs.size() / 3;
@@ -30,8 +31,8 @@ inline Hits closest(Bench& bench, Width w, const PencilSpheres& spheres, const s
     bench.launch(
         bench.programs.get({Kernel::intersect_closest, w.defines({spheres.levels > 0 ? "LEVELS=1" : "LEVELS=0"})})
             .kernel,
-        items, dirs.buffer(), in.clusters.buffer(), in.nodes.buffer(), spheres.levels, spheres.last(), items,
-        ts.buffer(), normals.buffer(), ids.buffer(), first_group, counts.buffer());
+        items, dirs.buffer(), eye_basis(camera), in.clusters.buffer(), in.nodes.buffer(), spheres.levels, spheres.last,
+        items, ts.buffer(), normals.buffer(), ids.buffer(), first_group, counts.buffer());
     Hits hits{ts.read(), normals.read(), ids.read(), counts.read()};
     dirs.check_unchanged();
     in.check_unchanged();
@@ -44,12 +45,12 @@ inline Hits closest(Bench& bench, Width w, const PencilSpheres& spheres, const s
 
 /// By brute force, after checking that the hierarchy gives the same bits in all widths.
 inline Hits closest(Bench& bench, const Scene& scene, const std::vector<Float3>& rays) {
-    const PencilSpheres spheres = seen_from_eye(scene.camera, build_hierarchy(scene.spheres));
+    const PencilSpheres spheres = seen_from_eye(bench, scene);
     const std::vector<float> dirs = packed(rays);
-    const Hits hits = closest(bench, widths[0], within_reach(spheres), dirs);
+    const Hits hits = closest(bench, widths[0], scene.camera, within_reach(spheres), dirs);
     for (const Width& w : widths) {
         INFO(w);
-        CHECK(same_bits(closest(bench, w, spheres, dirs), hits));
+        CHECK(same_bits(closest(bench, w, scene.camera, spheres, dirs), hits));
     }
     return hits;
 }

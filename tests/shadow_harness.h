@@ -22,7 +22,7 @@ struct Receivers {
     void add_miss(Float3 dir = {NAN, NAN, NAN}) { add(dir, INFINITY, {INFINITY, INFINITY, INFINITY}, -1); }
     /// What the reference sees from the eye, rounded.
     void see(const Scene& scene, Float3 dir) {
-        const reference::Hit hit = reference::closest_hit(scene.spheres, {scene.camera.eye, to_double(dir)});
+        const reference::Hit hit = reference::closest_hit(scene, {scene.camera.eye, to_double(dir)});
         add(dir, static_cast<float>(hit.t), to_float(hit.normal), hit.id);
     }
     size_t size() const { return ids.size(); }
@@ -49,18 +49,17 @@ struct LightSetup {
 
     std::string levels() const { return spheres.levels > 0 ? "LEVELS=1" : "LEVELS=0"; }
 };
-inline LightSetup set_up(const Scene& scene, const Light& light) {
+inline LightSetup set_up(Bench& bench, const Scene& scene, const Light& light) {
     constexpr float group_depth = 1.1f;
-    const Hierarchy hierarchy = build_hierarchy(scene.spheres);
-    if (const auto* point = std::get_if<PointLight>(&light)) {
-        const PointPencil pencil = point_pencil(*point, scene.camera);
-        return {pencil, seen_from_point(pencil, scene.camera, hierarchy), group_depth, lambert_factor(*point),
-                "LIGHT=LIGHT_POINT"};
+    DeviceSpheres spheres(bench, scene);
+    const auto seen = [&](const auto& pencil) { return spheres.seen(view_of(pencil, scene.camera, spheres.frame)); };
+    if (const auto* lamp = std::get_if<PointLight>(&light)) {
+        const PointPencil pencil = point_pencil(*lamp, scene.camera, spheres.survey, spheres.frame);
+        return {pencil, seen(pencil), group_depth, lambert_factor(*lamp, 1), "LIGHT=LIGHT_POINT"};
     }
     const auto& sun = std::get<DirectionalLight>(light);
     const ParallelPencil pencil = parallel_pencil(sun);
-    return {pencil, seen_along(pencil, scene.camera, hierarchy), group_depth, lambert_factor(sun),
-            "LIGHT=LIGHT_DIRECTIONAL"};
+    return {pencil, seen(pencil), group_depth, lambert_factor(sun, 1), "LIGHT=LIGHT_DIRECTIONAL"};
 }
 /// The same by brute force, all receivers of a work-item together.
 inline LightSetup brute(LightSetup light) {
@@ -102,7 +101,7 @@ inline std::vector<float> arrival(Bench& bench, Width w, const Receivers& hits, 
         [&](const auto& pencil) {
             bench.launch(kernel, items, in.dirs.buffer(), in.ts.buffer(), in.normals.buffer(), in.ids.buffer(),
                          in.spheres.clusters.buffer(), in.spheres.nodes.buffer(), light.spheres.levels,
-                         light.spheres.last(), light.group_depth, pencil, items, result.buffer());
+                         light.spheres.last, light.group_depth, pencil, items, result.buffer());
         },
         light.pencil);
     in.check_unchanged();
@@ -112,7 +111,7 @@ inline std::vector<float> arrival(Bench& bench, Width w, const Receivers& hits, 
 /// By brute force, after checking that the hierarchy gives the same bits in all widths.
 inline std::vector<float> arrival(Bench& bench, const Scene& scene, const Receivers& receivers, const Light& light) {
     const Receivers hits = receivers.padded();
-    const LightSetup setup = set_up(scene, light);
+    const LightSetup setup = set_up(bench, scene, light);
     const std::vector<float> result = arrival(bench, widths[0], hits, brute(setup));
     for (const Width& w : widths) {
         INFO(w);
@@ -146,8 +145,8 @@ inline std::vector<float> shade(Bench& bench, Width w, const Scene& scene, const
         [&](const auto& pencil) {
             bench.launch(bench.programs.get(variant).kernel, items, in.dirs.buffer(), in.ts.buffer(),
                          in.normals.buffer(), in.ids.buffer(), arriving.buffer(), in.spheres.clusters.buffer(),
-                         in.spheres.nodes.buffer(), light.spheres.levels, light.spheres.last(), light.group_depth,
-                         albedos.buffer(), pencil, light.phi, first, items, radiance.buffer());
+                         in.spheres.nodes.buffer(), light.spheres.levels, light.spheres.last, light.group_depth,
+                         albedos.buffer(), 0, 3, pencil, light.phi, first, items, radiance.buffer());
         },
         light.pencil);
     in.check_unchanged();

@@ -102,13 +102,17 @@ TEST_CASE("intersect_closest: ties between clusters, and ids that are not places
         check_exactly(bench, scene, {0, 0, 1}, {5, {0, 0, -1}, 20});
         check_exactly(bench, scene, {0, 0, -1}, miss);
         // Ids are not places, and the rest of the cluster is empty.
-        const Ball near{{0, 0, 6}, 1}, far{{0, 100, 6}, 1};
-        const PencilSpheres three = seen_from_eye(scene.camera, {{3, 35, 20}, {far, near, near}, {}}),
-                            one = seen_from_eye(scene.camera, {{3}, {far}, {}});
+        const Sphere near{{0, 0, 6}, 1}, far{{0, 100, 6}, 1};
+        const auto with_ids = [&](const std::vector<Sphere>& few, const std::vector<int>& ids) {
+            PencilSpheres seen = seen_from_eye(bench, scene_of(few));
+            std::copy(ids.begin(), ids.end(), seen.clusters[0].id);
+            return seen;
+        };
+        const PencilSpheres three = with_ids({far, near, {{0, 0, 6.5}, 1.5}}, {3, 35, 20}), one = with_ids({far}, {3});
         const std::vector<float> dirs = packed(std::vector<Float3>(BLOCK_RAYS, {0, 0, 1}));
         for (const Width& w : widths) {
-            CHECK(closest(bench, w, three, dirs).ids == std::vector<int>(BLOCK_RAYS, 20));
-            CHECK(closest(bench, w, one, dirs).ids == std::vector<int>(BLOCK_RAYS, -1));
+            CHECK(closest(bench, w, scene.camera, three, dirs).ids == std::vector<int>(BLOCK_RAYS, 20));
+            CHECK(closest(bench, w, scene.camera, one, dirs).ids == std::vector<int>(BLOCK_RAYS, -1));
         }
     });
 }

@@ -44,7 +44,7 @@ void compare_hit(const Sphere& s, const Vec3& d, const reference::Hit& hit, doub
 void compare(const Hits& hits, const Scene& scene, const std::vector<Float3>& dirs, Wrong& wrong) {
     for (size_t ray = 0; ray < dirs.size(); ++ray) {
         const Vec3 d = normalize(to_double(dirs[ray]));
-        const reference::Hit hit = reference::closest_hit(scene.spheres, {{}, d});
+        const reference::Hit hit = reference::closest_hit(scene, {{}, d});
         const double t = static_cast<double>(hits.ts[ray]);
         const int id = hits.ids[ray];
         wrong.hits += id >= 0;

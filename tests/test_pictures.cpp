@@ -105,7 +105,7 @@ Wrong compare(const Film& film, const Scene& scene, bool shadows) {
         for (int i = 0; i < film.width; ++i) {
             const size_t p = pixel(film, i, j);
             const reference::Ray ray = reference::eye_ray(scene, i, j);
-            const reference::Hit hit = reference::closest_hit(scene.spheres, ray);
+            const reference::Hit hit = reference::closest_hit(scene, ray);
             wrong.ids += film.id[p] != hit.id;
             if (hit.id < 0)
                 wrong.misses += !is_miss(film, p);

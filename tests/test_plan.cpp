@@ -23,7 +23,7 @@ const Light sun = DirectionalLight{{0, 1, 0}, {1, 1, 1}}, lamp = PointLight{{0, 
 const Light dark = PointLight{{0, 5, 0}, {0, 0, 0}};
 
 Plan plan_of(const Scene& scene, const RenderOptions& options = all_outputs(), const DeviceLimits& limits = {}) {
-    return make_plan(scene, static_cast<int64_t>(scene.spheres.size()), options, limits);
+    return make_plan(scene, survey(scene), options, limits);
 }
 
 DeviceLimits gpu() {
@@ -147,13 +147,13 @@ TEST_CASE("nothing to trace, nothing to launch", "[plan]") {
 TEST_CASE("only the variants that a scene needs are built, each once", "[plan]") {
     const Plan suns = plan_of(scene_of(8, 8, {sun, sun})), lamps = plan_of(scene_of(8, 8, {lamp, lamp})),
                both = plan_of(scene_of(8, 8, {sun, lamp, sun, lamp}));
-    CHECK(variants_of(suns).size() == 4);
+    CHECK(variants_of(suns).size() == 8);
     CHECK_FALSE(mentions(suns, "LIGHT_POINT"));
-    CHECK(variants_of(lamps).size() == 4);
+    CHECK(variants_of(lamps).size() == 7);
     CHECK_FALSE(mentions(lamps, "LIGHT_DIRECTIONAL"));
-    CHECK(variants_of(both).size() == 5);
+    CHECK(variants_of(both).size() == 9);
     const Plan split = plan_of(scene_of(8, 8, {sun, lamp, sun, lamp}), all_outputs(), gpu());
-    CHECK(variants_of(split).size() == 7);
+    CHECK(variants_of(split).size() == 11);
     CHECK(mentions(split, "SHADOWS_READ"));
     CHECK_FALSE(mentions(split, "SHADOWS_TRACED"));
     RenderOptions open;

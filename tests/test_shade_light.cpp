@@ -66,7 +66,7 @@ void with_each_light(Test test) {
             Random random(31);
             const Scene scene = many_colours(random, 300);
             const Receivers hits = scattered_hits(random, scene, 12);
-            test(bench, scene, hits, set_up(scene, light), light, random);
+            test(bench, scene, hits, set_up(bench, scene, light), light, random);
         }
     });
 }
@@ -135,8 +135,9 @@ TEST_CASE("shade_light: the colour is that of each hit's own id", "[shade_light]
             hits.add({0, 0, 1}, 8, {0, 0, -1}, i % 5 == 4 ? -1 : i == 0 ? 0 : 99999 - i * 520 % 99999);
             arrived.push_back(i % 5 == 4 || i % 7 == 6 ? 0.0f : 0.25f);
         }
-        LightSetup setup = set_up(Scene{}, lights[0]);
-        setup.spheres.clusters.resize(1);
+        Scene one;
+        one.spheres = {scene.spheres[0]};
+        LightSetup setup = set_up(bench, one, lights[0]);
         setup.phi = {2, 4, 8};
         const Shading shading{"SHADOWS_READ", arrived, std::vector<float>(3 * hits.size(), 1), false};
         for (const Width& w : widths) {

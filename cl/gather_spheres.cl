@@ -1,0 +1,30 @@
+// gather_spheres: the spheres in clusters of 16, in the order of the hierarchy.
+//
+// Reads rows in `order` (find_duplicates; -1 is an empty place). Writes clusters and, with -D RESTS=1, what rounding
+// left over. Row i has id first_id + i. One work-item: one cluster.
+#include "sphere_rows.h"
+
+kernel void gather_spheres(global const float* restrict rows, global const float* restrict rests, const int columns,
+                           global const int* restrict order, const int first_id, const int count, const int items,
+                           global Cluster* restrict clusters, global ClusterRest* restrict cluster_rests) {
+    const int item = (int)get_global_id(0);
+    if (item >= items) return;
+    const SphereRows spheres = {rows, rests, columns};
+    global Cluster* to = clusters + item;
+    for (int i = 0; i < CLUSTER; ++i) {
+        const int place = item * CLUSTER + i, row = place < count ? order[place] : -1;
+        const float4 sphere = row < 0 ? (float4)(0.0f) : row_of(spheres, row);
+        to->x[i] = sphere.x;
+        to->y[i] = sphere.y;
+        to->z[i] = sphere.z;
+        to->radius[i] = sphere.w;
+        to->id[i] = row < 0 ? -1 : first_id + row;
+#if RESTS
+        const float4 rest = row < 0 ? (float4)(0.0f) : rest_of(spheres, row);
+        cluster_rests[item].x[i] = rest.x;
+        cluster_rests[item].y[i] = rest.y;
+        cluster_rests[item].z[i] = rest.z;
+        cluster_rests[item].radius[i] = rest.w;
+#endif
+    }
+}

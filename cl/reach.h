@@ -1,0 +1,26 @@
+// How far a sphere may reach: its radius, widened so that no conservative test (fat_ray.h, parallel_pencil.h, bounds.h)
+// passes over a sphere that an exact test (sphere.h, parallel_pencil.h, point_pencil.h) accepts.
+//
+// In units of u |f|, u = 2^-24, |f| the distance of the centre from the apex, for spheres with |f| >= r:
+//
+//    8  an exact test accepts lines that pass at most this far outside the sphere: sphere_discriminant's `across` is
+//       3 roundings on values up to |f|; b^2 - C, wrong by at most 4 |f|^2, moves the distance by 4 |f|^2 / (2 r),
+//       which is less than 3 |f| where r^2 >= |f|^2 / 2
+//   15  a ray's X = d . u / d . axis: two dot products of 3 roundings each, two for 1 / z and the product, 1 for each
+//       unit vector. X is then the exact coordinate of a direction that is turned by at most 11 of these units; its ray
+//       meets the sphere at a distance of at most |f| + r <= 2 |f|, but only the part across it counts, at the foot of
+//       the centre, at most |f|. The same for Y, both at right angles: 11 sqrt(2) < 16.
+//   13  planes: a normal is 4 roundings off, its dot product with f 3 more; rectangles: the coordinates p = f . u and
+//       z = f . axis are 3 each, p +- reach and z -+ reach 1 each, and the quotient 1, which is a coordinate's
+//
+// Together 37 < 64: reach = r + 2^-18 max(|f|, r) leaves room for the roundings of |f| and of reach itself. Spheres
+// with |f| < r hold the apex; seen from there nothing is farther than 2 r, and the same holds with r for |f|.
+// In a parallel pencil occludes() accepts rays that pass at most 8 u max(|c|, r) outside, and the sums round once.
+#ifndef GNOMON_REACH_H
+#define GNOMON_REACH_H
+
+static inline float16 reach_of(float16 radius, float16 distance) {
+    return fma(distance > radius ? distance : radius, (float16)(0x1p-18f), radius);
+}
+
+#endif

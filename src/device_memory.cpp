@@ -1,0 +1,37 @@
+#include "device_memory.h"
+
+#include <algorithm>
+
+namespace gnomon {
+
+namespace {
+
+/// Kept until the driver lets go of the buffer, which may be after its last handle here.
+template <class Meter>
+struct Charge {
+    std::shared_ptr<Meter> meter;
+    int64_t bytes;
+};
+
+}  // namespace
+
+DeviceMemory::DeviceMemory(const cl::Context& context, bool shared)
+    : context_(context), shared_(shared), meter_(std::make_shared<Meter>()) {}
+
+void CL_CALLBACK DeviceMemory::give_back(cl_mem, void* charge) {
+    const std::unique_ptr<Charge<Meter>> held(static_cast<Charge<Meter>*>(charge));
+    held->meter->now -= held->bytes;
+}
+
+cl::Buffer DeviceMemory::allocate(cl_mem_flags flags, size_t bytes, const void* values) const {
+    cl::Buffer buffer(context_, flags, bytes, const_cast<void*>(values));
+    const auto size = static_cast<int64_t>(bytes);
+    auto charge = std::make_unique<Charge<Meter>>(Charge<Meter>{meter_, size});
+    buffer.setDestructorCallback(give_back, charge.get());
+    charge.release();  // the driver has it
+    meter_->now += size;
+    meter_->peak = std::max<int64_t>(meter_->peak, meter_->now);
+    return buffer;
+}
+
+}  // namespace gnomon

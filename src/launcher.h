@@ -1,0 +1,54 @@
+// Launches kernels one after the other, each when the one before has ended.
+#pragma once
+
+#include <vector>
+
+#include "opencl.h"
+#include "program.h"
+
+namespace gnomon {
+
+/// Sets all arguments of a kernel in their order.
+template <class... Arguments>
+void set_arguments(cl::Kernel& kernel, const Arguments&... arguments) {
+    cl_uint index = 0;
+    (kernel.setArg(index++, arguments), ...);
+}
+
+/// The device's own time of a command that has ended.
+double seconds_of(const cl::Event& event);
+
+class Launcher {
+  public:
+    struct Launched {
+        Variant variant;
+        cl::Event event;
+    };
+
+    Launcher(const cl::CommandQueue& queue, Programs& programs) : queue_(queue), programs_(programs) {}
+
+    /// One launch over at least `items` work-items in groups of `local`.
+    template <class... Arguments>
+    void launch(const Variant& variant, int items, int local, const Arguments&... arguments) {
+        cl::Kernel kernel = programs_.get(variant).kernel;
+        set_arguments(kernel, arguments...);
+        enqueue(variant, kernel, items, local);
+    }
+    void fill_with_zeros(const cl::Buffer& buffer);
+    /// Waits for all of it, and reads one value.
+    int read_int(const cl::Buffer& buffer);
+    void finish();
+
+    /// What was launched since the last time this was asked; call finish() first.
+    std::vector<Launched> take_launched();
+
+  private:
+    void enqueue(const Variant& variant, const cl::Kernel& kernel, int items, int local);
+
+    cl::CommandQueue queue_;
+    Programs& programs_;
+    std::vector<cl::Event> last_;
+    std::vector<Launched> launched_;
+};
+
+}  // namespace gnomon

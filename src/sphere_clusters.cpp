@@ -1,0 +1,159 @@
+#include "sphere_clusters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace gnomon {
+
+namespace {
+
+// Runs of more equal keys than this make clusters that overlap, and looking through them for coincident spheres slow.
+constexpr int max_run = 2 * CLUSTER;
+constexpr int any_run = std::numeric_limits<int>::max();
+
+int groups_of_16(int count) { return (count + CLUSTER - 1) / CLUSTER; }
+
+/// The grid in which places are looked up: its corner, and cells per length on the coarsest level, a power of two.
+struct Grid {
+    Float3 low;
+    float scale;
+
+    Grid(const Survey& survey, const Frame& frame) {
+        const Vec3 corner = frame.place(survey.low), size = frame.place(survey.high) - corner;
+        low = {static_cast<float>(corner.x), static_cast<float>(corner.y), static_cast<float>(corner.z)};
+        const double side = std::max({size.x, size.y, size.z});
+        scale = side > 0 ? static_cast<float>(std::ldexp(1.0, bits - 1 - std::ilogb(side))) : 0;
+    }
+
+  private:
+    static constexpr int bits = 10;  // HILBERT_BITS
+};
+
+/// Two words a sphere, a key and a row, and room to sort them in.
+struct Pair {
+    cl_uint key, row;
+};
+
+}  // namespace
+
+RowBuffers upload(const DeviceMemory& memory, const SphereRows& rows) {
+    RowBuffers buffers;
+    buffers.rows = memory.over(rows.rows, rows.count * rows.columns);
+    buffers.columns = rows.columns;
+    buffers.has_rests = !rows.rests.empty();
+    buffers.rests = buffers.has_rests ? memory.over(rows.rests.data(), 4 * rows.count) : memory.room<float>(1);
+    return buffers;
+}
+
+PencilView view_of_eye(const Camera& camera, const Frame& frame) {
+    return {eye_apex(camera, frame), {}, false, {eye_basis(camera)}};
+}
+
+PencilView view_of(const ParallelPencil& pencil, const Camera& camera, const Frame& frame) {
+    return {eye_apex(camera, frame), pencil, true, {pencil.basis}};
+}
+
+PencilView view_of(const PointPencil& pencil, const Camera& camera, const Frame& frame) {
+    return {point_apex(pencil, camera, frame), {}, false, {pencil.face, pencil.face + pencil.faces}};
+}
+
+struct SphereKernels::Pairs {
+    cl::Buffer sorted, other, counts, totals;
+};
+
+/// By one word of the key: a radix sort of its digits, the lowest first.
+void SphereKernels::sort(Pairs& pairs, const RowBuffers& rows, int count, int word, bool first, const Survey& survey,
+                         const Frame& frame) {
+    const Grid grid(survey, frame);
+    const int slices = plan_.slices(count), all = groups_of_16(count), local = plan_.local_size;
+    const auto middle = static_cast<float>(survey.middle_radius / frame.unit);
+    launcher_.launch(sphere_variant(Kernel::sphere_keys, rows.has_rests), all, local, rows.rows, rows.rests,
+                     rows.columns, pairs.sorted, first ? 1 : 0, word, grid.low, grid.scale, middle, count, all,
+                     pairs.other);
+    std::swap(pairs.sorted, pairs.other);
+    for (int shift = 0; shift < 32; shift += DIGIT_BITS) {
+        launcher_.fill_with_zeros(pairs.totals);
+        launcher_.launch(sphere_variant(Kernel::count_digits), slices, plan_.slice_local_size, pairs.sorted, count,
+                         shift, slices, pairs.counts, pairs.totals);
+        launcher_.launch(sphere_variant(Kernel::scan_counts), DIGITS, local, slices, DIGITS, pairs.counts,
+                         pairs.totals);
+        launcher_.launch(sphere_variant(Kernel::scatter_pairs), slices, plan_.slice_local_size, pairs.sorted, count,
+                         shift, slices, pairs.counts, pairs.other);
+        std::swap(pairs.sorted, pairs.other);
+    }
+}
+
+/// False when runs of equal keys are too long.
+bool SphereKernels::find_duplicates(const Pairs& pairs, const RowBuffers& rows, int count, bool hashed, int longest,
+                                    const cl::Buffer& order) {
+    const cl::Buffer crowded = memory_.room<int>(1);
+    launcher_.fill_with_zeros(crowded);
+    launcher_.launch(sphere_variant(Kernel::find_duplicates, rows.has_rests), groups_of_16(count), plan_.local_size,
+                     rows.rows, rows.rests, rows.columns, pairs.sorted, hashed ? 1 : 0, longest, count,
+                     groups_of_16(count), order, crowded);
+    return longest == any_run || launcher_.read_int(crowded) == 0;
+}
+
+ClusterBuffers SphereKernels::gather(const RowBuffers& rows, int64_t first_id, int64_t spheres, const Survey& survey,
+                                     const Frame& frame) {
+    ClusterBuffers result;
+    result.shape = hierarchy_over(spheres);
+    result.has_rests = rows.has_rests;
+    const int count = static_cast<int>(spheres);
+    const cl::Buffer order = memory_.room<int>(spheres);
+    {
+        Pairs pairs{memory_.room<Pair>(spheres), memory_.room<Pair>(spheres),
+                    memory_.room<int>(int64_t{DIGITS} * plan_.slices(count)), memory_.room<int>(DIGITS)};
+        if (result.shape.is_flat()) {
+            std::vector<Pair> unsorted(static_cast<size_t>(count));
+            for (cl_uint row = 0; row < unsorted.size(); ++row) unsorted[row] = {0, row};
+            pairs.sorted = memory_.copy(unsorted.data(), spheres);
+            find_duplicates(pairs, rows, count, false, any_run, order);
+        } else {
+            sort(pairs, rows, count, 0, true, survey, frame);
+            if (!find_duplicates(pairs, rows, count, false, max_run, order)) {
+                sort(pairs, rows, count, HASH_WORD, true, survey, frame);
+                for (int word = PLACE_WORDS - 1; word >= 0; --word)
+                    sort(pairs, rows, count, word, false, survey, frame);
+                find_duplicates(pairs, rows, count, true, any_run, order);
+            }
+        }
+    }
+    result.clusters = memory_.room<Cluster>(result.shape.clusters);
+    result.rests = memory_.room<ClusterRest>(rows.has_rests ? result.shape.clusters : 1);
+    launcher_.launch(sphere_variant(Kernel::gather_spheres, rows.has_rests), result.shape.clusters, plan_.local_size,
+                     rows.rows, rows.rests, rows.columns, order, static_cast<int>(first_id), count,
+                     result.shape.clusters, result.clusters, result.rests);
+    return result;
+}
+
+SphereBuffers SphereKernels::project(const ClusterBuffers& spheres, const PencilView& view) {
+    const HierarchyShape& shape = spheres.shape;
+    SphereBuffers result{memory_.room<PencilCluster>(shape.clusters), {}, shape.levels(), shape.last()};
+    result.nodes = memory_.room<Node>(static_cast<int64_t>(view.faces.size()) * shape.all_nodes());
+    launcher_.launch(sphere_variant(Kernel::project_spheres, spheres.has_rests, view.is_parallel), shape.clusters,
+                     plan_.local_size, spheres.clusters, spheres.rests, view.apex, view.parallel, shape.clusters,
+                     result.clusters);
+    if (!shape.is_flat()) bound(result, shape, view);
+    return result;
+}
+
+/// Level by level, for each face.
+void SphereKernels::bound(const SphereBuffers& spheres, const HierarchyShape& shape, const PencilView& view) {
+    const Variant lowest = sphere_variant(Kernel::bound_clusters, false, view.is_parallel);
+    const Variant upper = sphere_variant(Kernel::bound_nodes, false, view.is_parallel);
+    for (size_t face = 0; face < view.faces.size(); ++face) {
+        const int origin = static_cast<int>(face) * shape.all_nodes();
+        launcher_.launch(lowest, shape.nodes[0], plan_.local_size, spheres.clusters, view.faces[face], shape.clusters,
+                         origin, shape.nodes[0], spheres.nodes);
+        for (int level = 1, below = 0; level < shape.levels(); below += shape.nodes[static_cast<size_t>(level++ - 1)]) {
+            const int count = shape.nodes[static_cast<size_t>(level - 1)],
+                      items = shape.nodes[static_cast<size_t>(level)];
+            launcher_.launch(upper, items, plan_.local_size, origin, below, count, items, spheres.nodes);
+        }
+    }
+}
+
+}  // namespace gnomon

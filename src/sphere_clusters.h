@@ -1,0 +1,69 @@
+// The spheres on the device: sorted along a curve through space, in clusters, and what each pencil sees of them. All of
+// it is done by kernels.
+#pragma once
+
+#include "device_memory.h"
+#include "hierarchy.h"
+#include "launcher.h"
+#include "pencil.h"
+#include "sphere_rows.h"
+
+namespace gnomon {
+
+/// Rows on the device; see cl/sphere_rows.h.
+struct RowBuffers {
+    cl::Buffer rows, rests;
+    int columns = 0;
+    bool has_rests = false;
+};
+RowBuffers upload(const DeviceMemory& memory, const SphereRows& rows);
+
+/// The scene's spheres in the order of the hierarchy, the same for all pencils.
+struct ClusterBuffers {
+    cl::Buffer clusters, rests;
+    HierarchyShape shape;
+    bool has_rests = false;
+};
+
+/// The spheres and the nodes over them as one pencil sees them: cl/hierarchy.h.
+struct SphereBuffers {
+    cl::Buffer clusters, nodes;
+    int levels = 0, last = 0;
+};
+
+/// From where a pencil sees spheres, and the faces for which it keeps bounds.
+struct PencilView {
+    Apex apex{};
+    ParallelPencil parallel{};  ///< used if is_parallel
+    bool is_parallel = false;
+    std::vector<Basis> faces;
+};
+PencilView view_of_eye(const Camera& camera, const Frame& frame);
+PencilView view_of(const ParallelPencil& pencil, const Camera& camera, const Frame& frame);
+PencilView view_of(const PointPencil& pencil, const Camera& camera, const Frame& frame);
+
+/// Builds hierarchies on one device.
+class SphereKernels {
+  public:
+    SphereKernels(const DeviceMemory& memory, Launcher& launcher, const Plan& plan)
+        : memory_(memory), launcher_(launcher), plan_(plan) {}
+
+    /// Sorts spheres and gathers them in clusters. Coincident spheres count as one: the lowest id stands for all.
+    ClusterBuffers gather(const RowBuffers& rows, int64_t first_id, int64_t count, const Survey& survey,
+                          const Frame& frame);
+    SphereBuffers project(const ClusterBuffers& spheres, const PencilView& view);
+
+  private:
+    struct Pairs;
+    void sort(Pairs& pairs, const RowBuffers& rows, int count, int word, bool first, const Survey& survey,
+              const Frame& frame);
+    bool find_duplicates(const Pairs& pairs, const RowBuffers& rows, int count, bool hashed, int max_run,
+                         const cl::Buffer& order);
+    void bound(const SphereBuffers& spheres, const HierarchyShape& shape, const PencilView& view);
+
+    const DeviceMemory& memory_;
+    Launcher& launcher_;
+    const Plan& plan_;
+};
+
+}  // namespace gnomon
