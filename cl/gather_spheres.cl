@@ -1,12 +1,13 @@
 // gather_spheres: the spheres in clusters of 16, in the order of the hierarchy.
 //
 // Reads rows in `order` (find_duplicates; -1 is an empty place). Writes clusters and, with -D RESTS=1, what rounding
-// left over. Row i has id first_id + i. One work-item: one cluster.
+// left over. Row i has id first_id + i or, with -D IDS=1, ids[i]. One work-item: one cluster.
 #include "sphere_rows.h"
 
 kernel void gather_spheres(global const float* restrict rows, global const float* restrict rests, const int columns,
-                           global const int* restrict order, const int first_id, const int count, const int items,
-                           global Cluster* restrict clusters, global ClusterRest* restrict cluster_rests) {
+                           global const int* restrict order, global const int* restrict ids, const int first_id,
+                           const int count, const int items, global Cluster* restrict clusters,
+                           global ClusterRest* restrict cluster_rests) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
     const SphereRows spheres = {rows, rests, columns};
@@ -18,7 +19,11 @@ kernel void gather_spheres(global const float* restrict rows, global const float
         to->y[i] = sphere.y;
         to->z[i] = sphere.z;
         to->radius[i] = sphere.w;
+#if IDS
+        to->id[i] = row < 0 ? -1 : ids[row];
+#else
         to->id[i] = row < 0 ? -1 : first_id + row;
+#endif
 #if RESTS
         const float4 rest = row < 0 ? (float4)(0.0f) : rest_of(spheres, row);
         cluster_rests[item].x[i] = rest.x;

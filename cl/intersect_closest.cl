@@ -1,9 +1,10 @@
 // intersect_closest: the first sphere that each ray of the eye's pencil meets.
 //
 // Reads dirs (block order, 3 a ray) and the hierarchy of the spheres as the eye sees them. Writes per ray t, the
-// outward unit normal and the id (a miss: +inf, (inf, inf, inf), -1); adds to hit_counts[first_group + g] how many rays
-// of work-group g hit. One work-item: PACKETS * LANES neighbouring rays of a block against the spheres that their fat
-// ray may meet.
+// outward unit normal and the id (a miss: +inf, (inf, inf, inf), -1); adds to hit_counts[first_group + g] how many more
+// rays of work-group g hit. Where the spheres come in chunks (-D CHUNKS=1) and this is not the first of them, what was
+// written for those before is read, and stays where nothing is closer. One work-item: PACKETS * LANES neighbouring rays
+// of a block against the spheres that their fat ray may meet.
 #include "fat_ray.h"
 #include "sphere.h"
 
@@ -50,9 +51,9 @@ static inline vec3w outward_normal(Hit hit, vec3w dir) {
 
 kernel void intersect_closest(global const float* restrict dirs, const Basis basis,
                               global const PencilCluster* restrict clusters, global const Node* restrict nodes,
-                              const int levels, const int last, const int items, global float* restrict ts,
-                              global float* restrict normals, global int* restrict ids, const int first_group,
-                              global int* restrict hit_counts) {
+                              const int levels, const int last, const int first_chunk, const int items,
+                              global float* restrict ts, global float* restrict normals, global int* restrict ids,
+                              const int first_group, global int* restrict hit_counts) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
     vec3w dir[PACKETS];
@@ -61,10 +62,19 @@ kernel void intersect_closest(global const float* restrict dirs, const Basis bas
         dir[k] = load_3(dirs, item, k);
         hit[k] = (Hit){wide(INFINITY), (intw)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}};
     }
+#if CHUNKS
+    if (!first_chunk) FOR_PACKETS(k) {
+            hit[k].t = load_f(ts, item, k);
+            hit[k].id = load_i(ids, item, k);
+        }
+#endif
     intw valid[PACKETS];
     FOR_PACKETS(k) valid[k] = dir[k].x == dir[k].x;  // pixels outside the image are NaN
     const Hierarchy hierarchy = {clusters, nodes, levels, last};
     FatRay fat = fat_ray(dir, valid, basis);
+#if CHUNKS
+    fat.distance = farthest_hit(hit, valid);
+#endif
     Traversal traversal = begin(hierarchy, fat);
     for (int c; (c = next_cluster(hierarchy, &traversal, fat)) >= 0;) {
         int closer = 0;
@@ -81,9 +91,17 @@ kernel void intersect_closest(global const float* restrict dirs, const Basis bas
     intw hits = 0;
     FOR_PACKETS(k) {
         store_f(hit[k].t, ts, item, k);
-        store_3(outward_normal(hit[k], dir[k]), normals, item, k);
-        store_i(hit[k].id, ids, item, k);
+        vec3w normal = outward_normal(hit[k], dir[k]);
         hits += hit[k].id >= 0 ? (intw)(1) : (intw)(0);
+#if CHUNKS
+        if (!first_chunk) {
+            const intw before = load_i(ids, item, k);  // hits that stayed as they were have no centre here
+            normal = select_w(hit[k].id != before, normal, load_3(normals, item, k));
+            hits -= before >= 0 ? (intw)(1) : (intw)(0);
+        }
+#endif
+        store_3(normal, normals, item, k);
+        store_i(hit[k].id, ids, item, k);
     }
     atomic_add(hit_counts + first_group + get_group_id(0), REDUCE(count, hits));
 }

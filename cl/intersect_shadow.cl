@@ -2,18 +2,26 @@
 //
 // Reads what intersect_closest wrote (t, normal, id) with dirs, and the spheres as this light's pencil sees them.
 // Writes arrival: what arrives of the light (arriving() of its pencil, > 0) where a hit faces it and nothing is in
-// between, else 0. One work-item: PACKETS * LANES neighbouring rays against the spheres that their fat ray may meet.
+// between, else 0. Where the spheres come in chunks (-D CHUNKS=1) and this is not the first of them, arrival is read,
+// and what arrives there may be taken away. One work-item: PACKETS * LANES neighbouring rays against the spheres that
+// their fat ray may meet.
 #include "shadow.h"
 
 kernel void intersect_shadow(global const float* restrict dirs, global const float* restrict ts,
                              global const float* restrict normals, global const int* restrict ids,
                              global const PencilCluster* restrict clusters, global const Node* restrict nodes,
-                             const int levels, const int last, const float group_depth, const LightPencil light,
-                             const int items, global float* restrict arrival) {
+                             const int levels, const int last, const int first_chunk, const float group_depth,
+                             const LightPencil light, const int items, global float* restrict arrival) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
     floatw share[PACKETS];
     const Hierarchy hierarchy = {clusters, nodes, levels, last};
-    trace_shadows((Hits){dirs, ts, normals, ids}, hierarchy, light, group_depth, item, share);
+    const Hits hits = {dirs, ts, normals, ids};
+#if CHUNKS
+    FOR_PACKETS(k) share[k] = first_chunk ? unshadowed(hits, light, item, k) : load_f(arrival, item, k);
+#else
+    FOR_PACKETS(k) share[k] = unshadowed(hits, light, item, k);
+#endif
+    trace_shadows(hits, hierarchy, light, group_depth, item, share);
     FOR_PACKETS(k) store_f(share[k], arrival, item, k);
 }

@@ -4,7 +4,8 @@
 // from arrival, as intersect_shadow wrote it (SHADOWS_READ); or from shadow rays that are traced here, in the same
 // launch, as intersect_shadow would (SHADOWS_TRACED). What is not needed is not touched. phi is the light's irradiance
 // / pi (directional) or power / (4 pi^2) (point). Adds to radiance (3 a ray, block order), or sets it for the first
-// light. One work-item: PACKETS * LANES neighbouring rays.
+// light. Albedos are those of ids or, with -D ALBEDOS_OF_RAYS=1, of the rays in their order. One work-item: PACKETS *
+// LANES neighbouring rays.
 #include "shadow.h"
 
 // The albedo of LANES ids, `stride` floats apart, by a loop over the distinct ones, of which neighbours have few:
@@ -31,13 +32,14 @@ kernel void shade_light(global const float* restrict dirs, global const float* r
     if (item >= items) return;
     const Hits hits = {dirs, ts, normals, ids};
     floatw share[PACKETS];
-#if SHADOWS == SHADOWS_TRACED
-    const Hierarchy hierarchy = {clusters, nodes, levels, last};
-    trace_shadows(hits, hierarchy, light, group_depth, item, share);
-#elif SHADOWS == SHADOWS_READ
+#if SHADOWS == SHADOWS_READ
     FOR_PACKETS(k) share[k] = load_f(arrival, item, k);
 #else
     FOR_PACKETS(k) share[k] = unshadowed(hits, light, item, k);
+#endif
+#if SHADOWS == SHADOWS_TRACED
+    const Hierarchy hierarchy = {clusters, nodes, levels, last};
+    trace_shadows(hits, hierarchy, light, group_depth, item, share);
 #endif
     FOR_PACKETS(k) {
         const intw lit = share[k] > 0.0f;
@@ -46,8 +48,12 @@ kernel void shade_light(global const float* restrict dirs, global const float* r
         vec3w sum = {wide(0.0f), wide(0.0f), wide(0.0f)};
         if (!first) sum = load_3(radiance, item, k);
         if (any_lit) {
-            const vec3w reflected =
-                scale_w(share[k], albedo_of(albedos + first_albedo, albedo_stride, load_i(ids, item, k), lit));
+#if ALBEDOS_OF_RAYS
+            const vec3w albedo = load_3(albedos, item, k);
+#else
+            const vec3w albedo = albedo_of(albedos + first_albedo, albedo_stride, load_i(ids, item, k), lit);
+#endif
+            const vec3w reflected = scale_w(share[k], albedo);
             sum = (vec3w){fma(reflected.x, wide(phi.x), sum.x), fma(reflected.y, wide(phi.y), sum.y),
                           fma(reflected.z, wide(phi.z), sum.z)};
         }

@@ -72,15 +72,14 @@ static inline void take_group(const floatw* t, float group_depth, intw* left, in
     }
 }
 
-// share[k]: what arrives at the hits of packet k. Where there are levels, hits are traced together whose distances from
-// the eye differ by less than the factor group_depth (> 1).
+// share[k]: what would arrive at the hits of packet k; where something is in between it becomes 0. Where there are
+// levels, hits are traced together whose distances from the eye differ by less than the factor group_depth (> 1).
 static inline void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil light, float group_depth, int item,
                                  floatw* share) {
     ShadowRay ray[PACKETS];
     floatw t[PACKETS];
     intw id[PACKETS], left[PACKETS], group[PACKETS];
     FOR_PACKETS(k) {
-        share[k] = unshadowed(hits, light, item, k);
         left[k] = share[k] > 0.0f;
         id[k] = load_i(hits.ids, item, k);
         t[k] = load_f(hits.ts, item, k);

@@ -12,7 +12,7 @@ struct PrepareLight {
     const Scene& scene;
     const Survey& survey;
     const Frame& frame;
-    const ClusterBuffers& spheres;
+    const ClusterBuffers* spheres;
     bool shadows;
 
     LightBuffers operator()(const DirectionalLight& light) const {
@@ -26,7 +26,7 @@ struct PrepareLight {
     template <class Pencil>
     LightBuffers with_spheres(const Pencil& pencil, const Float3& phi) const {
         LightBuffers buffers{pencil, phi, {}};
-        if (shadows) buffers.spheres = kernels.project(spheres, view_of(pencil, scene.camera, frame));
+        if (shadows && spheres) buffers.spheres = kernels.project(*spheres, view_of(pencil, scene.camera, frame));
         return buffers;
     }
 };
@@ -42,6 +42,7 @@ TileBuffers allocate_tile(const DeviceMemory& memory, const Plan& plan) {
     // Kernel arguments that a scene does not use still have to name a buffer.
     tile.arrival = values(plan.uses(Kernel::intersect_shadow) ? rays : 1);
     tile.radiance = values(plan.uses(Kernel::shade_light) ? 3 * rays : 1);
+    tile.albedos = values(plan.albedos_of_rays ? 3 * rays : 1);
     if (!plan.write_in_place)
         for (cl::Buffer& plane : tile.planes) plane = values(rays);
     return tile;
@@ -57,11 +58,11 @@ AlbedoBuffer albedos_of(const DeviceMemory& memory, const SphereRows& rows, cons
 }
 
 SceneBuffers prepare(SphereKernels& kernels, const Scene& scene, const Survey& survey, const Frame& frame,
-                     const ClusterBuffers& spheres, const Plan& plan) {
+                     const ClusterBuffers* spheres, const Plan& plan) {
     SceneBuffers buffers;
     buffers.eye = eye_pencil(scene.camera, scene.image);
     buffers.eye_basis = eye_basis(scene.camera);
-    buffers.spheres = kernels.project(spheres, view_of_eye(scene.camera, frame));
+    if (spheres) buffers.spheres = kernels.project(*spheres, view_of_eye(scene.camera, frame));
     if (!plan.uses(Kernel::shade_light)) return buffers;
     const PrepareLight prepared{kernels, scene, survey, frame, spheres, plan.shadows != Shadows::off};
     for (const Light& light : scene.lights) buffers.lights.push_back(std::visit(prepared, light));
@@ -69,10 +70,11 @@ SceneBuffers prepare(SphereKernels& kernels, const Scene& scene, const Survey& s
 }
 
 std::vector<TileBuffers>& TilePool::get(const DeviceMemory& memory, const Plan& plan) {
-    const size_t count = std::min<size_t>(tile_sets, plan.tiles.size()), rays = static_cast<size_t>(plan.tile_blocks);
-    const std::array<size_t, 4> shape{count, rays,
+    const size_t count = std::min<size_t>(plan.memory.cut ? 1 : tile_sets, plan.tiles.size()),
+                 rays = static_cast<size_t>(plan.tile_blocks);
+    const std::array<size_t, 5> shape{count, rays,
                                       plan.uses(Kernel::intersect_shadow) + size_t{2} * plan.uses(Kernel::shade_light),
-                                      size_t{plan.write_in_place}};
+                                      size_t{plan.write_in_place}, size_t{plan.albedos_of_rays}};
     if (shape == shape_) return tiles_;
     shape_ = {};  // of no plan, in case an allocation throws
     tiles_.clear();

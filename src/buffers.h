@@ -35,13 +35,14 @@ struct SceneBuffers {
 /// The spheres' albedos lie in their rows; rows without are all of one albedo.
 AlbedoBuffer albedos_of(const DeviceMemory& memory, const SphereRows& rows, const RowBuffers& buffers);
 
-/// The scene as the plan's steps need it, its spheres as all its pencils see them.
+/// The scene as the plan's steps need it, its spheres as all its pencils see them; without `spheres`, which are then
+/// elsewhere, all but them.
 SceneBuffers prepare(SphereKernels& kernels, const Scene& scene, const Survey& survey, const Frame& frame,
-                     const ClusterBuffers& spheres, const Plan& plan);
+                     const ClusterBuffers* spheres, const Plan& plan);
 
 /// Rays and hits of one tile, in block order; planes receives the film's part where it is not written in place.
 struct TileBuffers {
-    cl::Buffer dirs, ts, normals, ids, arrival, radiance, planes[3];
+    cl::Buffer dirs, ts, normals, ids, arrival, radiance, albedos, planes[3];
 };
 
 /// The tiles under way, allocated on first use and kept as long as plans have the same shape.
@@ -51,7 +52,7 @@ class TilePool {
 
   private:
     std::vector<TileBuffers> tiles_;
-    std::array<size_t, 4> shape_{};
+    std::array<size_t, 5> shape_{};
 };
 
 }  // namespace gnomon

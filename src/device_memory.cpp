@@ -1,6 +1,9 @@
 #include "device_memory.h"
 
 #include <algorithm>
+#include <chrono>
+#include <limits>
+#include <thread>
 
 namespace gnomon {
 
@@ -16,16 +19,31 @@ struct Charge {
 }  // namespace
 
 DeviceMemory::DeviceMemory(const cl::Context& context, bool shared)
-    : context_(context), shared_(shared), meter_(std::make_shared<Meter>()) {}
+    : context_(context), shared_(shared), meter_(std::make_shared<Meter>()) {
+    expect(std::numeric_limits<int64_t>::max());
+}
 
 void CL_CALLBACK DeviceMemory::give_back(cl_mem, void* charge) {
     const std::unique_ptr<Charge<Meter>> held(static_cast<Charge<Meter>*>(charge));
     held->meter->now -= held->bytes;
 }
 
+void DeviceMemory::expect(int64_t bytes) {
+    meter_->expected = bytes;
+    meter_->peak = meter_->now.load();
+}
+
+void DeviceMemory::await_room(int64_t bytes) const {
+    using namespace std::chrono_literals;
+    constexpr auto moment = 20us;
+    constexpr int patience = 5000;  // a tenth of a second: after that it is not the driver that is late
+    for (int i = 0; i < patience && meter_->now + bytes > meter_->expected; ++i) std::this_thread::sleep_for(moment);
+}
+
 cl::Buffer DeviceMemory::allocate(cl_mem_flags flags, size_t bytes, const void* values) const {
-    cl::Buffer buffer(context_, flags, bytes, const_cast<void*>(values));
     const auto size = static_cast<int64_t>(bytes);
+    await_room(size);
+    cl::Buffer buffer(context_, flags, bytes, const_cast<void*>(values));
     auto charge = std::make_unique<Charge<Meter>>(Charge<Meter>{meter_, size});
     buffer.setDestructorCallback(give_back, charge.get());
     charge.release();  // the driver has it

@@ -35,15 +35,18 @@ class DeviceMemory {
                           const_cast<T*>(values));  // the binding takes what it reads from as not const
     }
 
+    /// The most that was alive at once since expect().
     int64_t peak() const { return meter_->peak; }
-    /// From now on.
-    void forget_peak() { meter_->peak = meter_->now.load(); }
+    /// No more than this should be alive at once from now on. Drivers give a buffer back a moment after the last command
+    /// that uses it: what would go beyond waits for that.
+    void expect(int64_t bytes);
 
   private:
     struct Meter {
-        std::atomic<int64_t> now{0}, peak{0};
+        std::atomic<int64_t> now{0}, peak{0}, expected{0};
     };
     cl::Buffer allocate(cl_mem_flags flags, size_t bytes, const void* values) const;
+    void await_room(int64_t bytes) const;
     static void CL_CALLBACK give_back(cl_mem buffer, void* charge);
 
     cl::Context context_;

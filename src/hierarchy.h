@@ -22,6 +22,7 @@ struct HierarchyShape {
     bool is_flat() const { return nodes.empty(); }
 };
 
-HierarchyShape hierarchy_over(int64_t spheres);
+/// `flat`: how many spheres have no nodes.
+HierarchyShape hierarchy_over(int64_t spheres, int64_t flat = flat_spheres);
 
 }  // namespace gnomon

@@ -6,6 +6,7 @@
 
 #include "error.h"
 #include "hierarchy.h"
+#include "pencil.h"
 
 namespace gnomon {
 
@@ -74,6 +75,10 @@ class Chain {
     /// For a kernel that meets the spheres.
     void add_tracing(Step step, std::vector<std::string> defines) {
         defines.push_back(plan_.flat() ? "LEVELS=0" : "LEVELS=1");
+        if (step.kernel == Kernel::shade_light)
+            defines.push_back(plan_.albedos_of_rays ? "ALBEDOS_OF_RAYS=1" : "ALBEDOS_OF_RAYS=0");
+        else
+            defines.push_back(plan_.memory.cut ? "CHUNKS=1" : "CHUNKS=0");
         add_lanes(step, defines);
     }
     void resolve(Output output) {
@@ -121,7 +126,7 @@ void add_lights(Chain& chain, const Scene& scene, Shadows shadows) {
 /// The kernels that put the spheres in order, and in each pencil's view.
 void add_sphere_kernels(Plan& plan, const Scene& scene) {
     const auto add = [&](Kernel kernel, bool parallel = false) {
-        const Variant variant = sphere_variant(kernel, plan.has_rests, parallel);
+        const Variant variant = sphere_variant(kernel, plan.has_rests, parallel, plan.memory.cut);
         std::vector<Variant>& all = plan.variants;
         if (std::find(all.begin(), all.end(), variant) == all.end()) all.push_back(variant);
     };
@@ -159,38 +164,40 @@ void add_steps(Plan& plan, const Scene& scene, const RenderOptions& options) {
     chain.resolve(Output::radiance);
 }
 
-uint64_t cluster_bytes(int64_t spheres) {
-    return static_cast<uint64_t>((spheres + CLUSTER - 1) / CLUSTER) * sizeof(PencilCluster);
-}
-
-/// Nodes over the clusters: a fifteenth as many, and one a level for what does not divide.
-uint64_t node_bytes(int64_t spheres) {
-    return (static_cast<uint64_t>(spheres) / (CLUSTER * (CLUSTER - 1)) + MAX_LEVELS) * sizeof(Node);
-}
-
 /// A block of receivers is traced as one while its depth is not much more than its width: 16 times the 8 pixels.
 float group_depth(const Scene& scene) {
     const double pixel = 2 * std::tan(scene.camera.fov * 3.14159265358979323846 / 360) / scene.image.height;
     return static_cast<float>(1 + 16 * BLOCK_SIDE * pixel);
 }
 
-uint64_t scene_bytes(const Scene& scene, int64_t distinct, const RenderOptions& options) {
-    const uint64_t pencils = 1 + (options.shadows ? scene.lights.size() : 0);
-    return pencils * (cluster_bytes(distinct) + node_bytes(distinct)) +
-           static_cast<uint64_t>(distinct) * sizeof(Float3);
+/// The most faces that a point light keeps bounds for.
+int most_faces(const Scene& scene, const Survey& survey, const Frame& frame) {
+    int most = 1;
+    for (const Light& light : scene.lights)
+        if (const auto* point = std::get_if<PointLight>(&light))
+            most = std::max(most, point_pencil(*point, scene.camera, survey, frame).faces);
+    return most;
 }
 
-void check_memory(const Plan& plan, int64_t distinct, const DeviceLimits& limits) {
-    const uint64_t largest =
-        std::max(cluster_bytes(distinct), static_cast<uint64_t>(plan.tile_blocks) * BLOCK_RAYS * sizeof(Float3));
-    if (largest <= limits.max_alloc_bytes && plan.device_bytes <= limits.global_bytes) return;
-    const auto up = [](uint64_t bytes) { return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB"; };
-    const auto down = [](uint64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; };
-    throw Error(Blame::run,
-                "the scene needs " + up(plan.device_bytes) + " on the device, " + up(largest) +
-                    " of it in one buffer; the device offers " + down(limits.global_bytes) + ", " +
-                    down(limits.max_alloc_bytes) + " in one buffer",
-                "", "use a device with more memory, or a smaller --tile");
+MemoryPlan share_memory(const Plan& plan, const Scene& scene, const Survey& survey, const RenderOptions& options,
+                        const DeviceLimits& limits) {
+    MemoryNeeds needs;
+    needs.sphere = {plan.has_rests,
+                    !limits.shares_memory,
+                    plan.has_rests || !survey.one_albedo ? 7 : 4,
+                    false,
+                    options.shadows ? most_faces(scene, survey, choose_frame(scene, survey)) : 1,
+                    plan.max_slices};
+    needs.spheres = survey.count;
+    needs.views = 1 + (options.shadows ? static_cast<int>(scene.lights.size()) : 0);
+    for (const Tile& tile : plan.tiles) {
+        needs.image_rays += int64_t{tile.blocks} * BLOCK_RAYS;
+        needs.tile_rays = std::max(needs.tile_rays, int64_t{tile.blocks} * BLOCK_RAYS);
+    }
+    needs.tiles_under_way = std::min<int64_t>(tile_sets, static_cast<int64_t>(plan.tiles.size()));
+    needs.asked_tile_rays = options.tile;
+    const uint64_t allowed = options.memory > 0 ? std::min(limits.global_bytes, options.memory) : limits.global_bytes;
+    return plan_memory(needs, {static_cast<int64_t>(allowed), static_cast<int64_t>(limits.max_alloc_bytes)});
 }
 
 }  // namespace
@@ -218,7 +225,7 @@ std::string Variant::options() const {
     return text;
 }
 
-Variant sphere_variant(Kernel kernel, bool has_rests, bool is_parallel) {
+Variant sphere_variant(Kernel kernel, bool has_rests, bool is_parallel, bool has_ids) {
     const std::string rests = has_rests ? "RESTS=1" : "RESTS=0", parallel = is_parallel ? "PARALLEL=1" : "PARALLEL=0";
     switch (kernel) {
         case Kernel::project_spheres:
@@ -226,9 +233,10 @@ Variant sphere_variant(Kernel kernel, bool has_rests, bool is_parallel) {
         case Kernel::bound_clusters:
         case Kernel::bound_nodes:
             return {kernel, {"LANES=16", "PACKETS=1", parallel}};
+        case Kernel::gather_spheres:
+            return {kernel, {rests, has_ids ? "IDS=1" : "IDS=0"}};
         case Kernel::sphere_keys:
         case Kernel::find_duplicates:
-        case Kernel::gather_spheres:
             return {kernel, {rests}};
         default:
             return {kernel, {}};
@@ -240,7 +248,7 @@ int Plan::items(Kernel kernel, const Tile& tile) const {
     return (tile.blocks_x + 1) / 2 * (tile.blocks / tile.blocks_x) * BLOCK_SIDE;
 }
 
-bool Plan::flat() const { return spheres <= flat_spheres; }
+bool Plan::flat() const { return spheres <= flat_spheres && !memory.cut; }
 
 int Plan::slices(int64_t pairs) const {
     constexpr int64_t least = 4 * DIGITS;  // fewer than its counts are not worth a slice
@@ -263,19 +271,18 @@ Plan make_plan(const Scene& scene, const Survey& survey, const RenderOptions& op
     plan.spheres = survey.count;
     plan.has_rests = !choose_frame(scene, survey).floats;
     plan.group_depth = group_depth(scene);
+    if (survey.count > 0) plan.memory = share_memory(plan, scene, survey, options, limits);
+    if (plan.memory.cut) plan.tiles = cut(scene.image, static_cast<int>(plan.memory.tile_rays));
+    plan.albedos_of_rays = plan.memory.cut && !survey.one_albedo;
     const uint64_t plane_bytes =
         static_cast<uint64_t>(scene.image.width) * static_cast<uint64_t>(scene.image.height) * 4;
     plan.write_in_place = limits.shares_memory && plane_bytes <= limits.max_alloc_bytes;
     plan.stream = plan.write_in_place && limits.cpu;
     // A launch costs a CPU more than it does a GPU, and hits read twice cost more than registers.
-    if (options.shadows) plan.shadows = limits.cpu ? Shadows::traced : Shadows::read;
+    if (options.shadows) plan.shadows = limits.cpu && !plan.memory.cut ? Shadows::traced : Shadows::read;
     add_steps(plan, scene, options);
     if (!plan.steps.empty()) add_sphere_kernels(plan, scene);
     for (const Tile& tile : plan.tiles) plan.tile_blocks = std::max(plan.tile_blocks, tile.blocks);
-    if (plan.steps.empty()) return plan;
-    plan.device_bytes = scene_bytes(scene, survey.count, options) +
-                        static_cast<uint64_t>(tile_sets * plan.tile_blocks) * BLOCK_RAYS * bytes_per_ray;
-    check_memory(plan, survey.count, limits);
     return plan;
 }
 

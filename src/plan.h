@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../cl/types.h"
+#include "memory_plan.h"
 #include "render.h"
 #include "survey.h"
 
@@ -56,9 +57,9 @@ struct Variant {
     bool operator==(const Variant& other) const { return kernel == other.kernel && defines == other.defines; }
 };
 
-/// A kernel of those before the tiles: whether spheres have rests (sphere_rows.h), whether the pencil is parallel; what
-/// does not matter to it is left out.
-Variant sphere_variant(Kernel kernel, bool has_rests = false, bool is_parallel = false);
+/// A kernel of those before the tiles: whether spheres have rests and ids (sphere_rows.h), whether the pencil is
+/// parallel; what does not matter to it is left out.
+Variant sphere_variant(Kernel kernel, bool has_rests = false, bool is_parallel = false, bool has_ids = false);
 
 /// One launch of every tile's chain; each waits for the one before it.
 struct Step {
@@ -84,8 +85,9 @@ struct Plan {
     std::vector<Step> steps;        ///< for each tile, in order; empty when there is nothing to trace
     float group_depth = 0;  ///< receivers whose distances differ by no more than this factor are traced together
     int64_t spheres = 0;
-    bool has_rests = false;     ///< their numbers are not all floats
-    uint64_t device_bytes = 0;  ///< all buffers together
+    bool has_rests = false;  ///< their numbers are not all floats
+    MemoryPlan memory;
+    bool albedos_of_rays = false;  ///< looked up by the host when all hits are known, since no chunk has all
 
     int rays_per_item() const { return lanes * packets; }
     int items(Kernel kernel, const Tile& tile) const;
@@ -96,9 +98,6 @@ struct Plan {
 
 /// How many tiles are under way at once: one computes while the one before is read back.
 constexpr int tile_sets = 2;
-
-/// Bytes of one ray in a tile's buffers: dir 12, t 4, normal 12, id 4, arrival 4, radiance 12.
-constexpr int64_t bytes_per_ray = 48;
 
 /// Of the spheres only what the survey says is looked at. Throws Error(Blame::input) for lanes or a tile that cannot
 /// be, Error(Blame::run) when the scene does not fit the device.

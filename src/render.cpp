@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "clock.h"
 #include "error.h"
@@ -46,7 +47,7 @@ RenderStats planned(const Plan& plan, const Scene& scene) {
     stats.packets = plan.packets;
     stats.tiles = static_cast<int>(plan.tiles.size());
     stats.tile_rays = int64_t{plan.tile_blocks} * BLOCK_RAYS;
-    stats.device_bytes = static_cast<int64_t>(plan.device_bytes);
+    stats.planned_bytes = plan.memory.peak_bytes;
     stats.pixels = int64_t{plan.image.width} * plan.image.height;
     stats.spheres = plan.spheres;
     stats.lights = static_cast<int64_t>(scene.lights.size());
@@ -69,6 +70,15 @@ int64_t shaded_lights(const Plan& plan) {
 }  // namespace
 
 namespace {
+
+/// What is to be rendered.
+struct Job {
+    const Scene& scene;
+    const Survey& survey;
+    const Frame& frame;
+    const Plan& plan;
+    const RenderOptions& options;
+};
 
 /// The scene on the device, and what it lies in.
 struct Prepared {
@@ -109,29 +119,54 @@ struct Renderer::State {
         return kernels;
     }
 
-    Prepared prepare(const Plan& plan, const Scene& scene, const Survey& survey, const Frame& frame,
-                     RenderStats& stats) {
-        Launcher launcher(queue, programs);
-        SphereKernels sphere_kernels(memory, launcher, plan);
-        Prepared prepared{sphere_rows(scene, frame, 0, survey.count), {}, {}};
+    /// Without a cut: the scene on the device as all pencils see it.
+    Prepared prepare(const Job& job, SphereKernels& kernels) {
+        Prepared prepared{sphere_rows(job.scene, job.frame, 0, job.survey.count), {}, {}};
         prepared.row_buffers = upload(memory, prepared.rows);
-        const ClusterBuffers clusters = sphere_kernels.gather(prepared.row_buffers, 0, survey.count, survey, frame);
-        prepared.buffers = gnomon::prepare(sphere_kernels, scene, survey, frame, clusters, plan);
+        const ClusterBuffers clusters = kernels.gather(prepared.row_buffers, job.survey, job.frame);
+        prepared.buffers = gnomon::prepare(kernels, job.scene, job.survey, job.frame, &clusters, job.plan);
         prepared.buffers.albedos = albedos_of(memory, prepared.rows, prepared.row_buffers);
-        launcher.finish();
-        for (const Launcher::Launched& l : launcher.take_launched()) {
+        return prepared;
+    }
+    Prepared prepare_without_spheres(const Job& job, SphereKernels& kernels) {
+        Prepared prepared{sphere_rows(job.scene, job.frame, 0, 1), {}, {}};  // one, for the albedo if all have one
+        prepared.row_buffers = upload(memory, prepared.rows);
+        prepared.buffers = gnomon::prepare(kernels, job.scene, job.survey, job.frame, nullptr, job.plan);
+        prepared.buffers.albedos = albedos_of(memory, prepared.rows, prepared.row_buffers);
+        return prepared;
+    }
+
+    static void add(const Plan& plan, const std::vector<Launcher::Launched>& launched, RenderStats& stats) {
+        for (const Launcher::Launched& l : launched) {
             const auto at = std::find(plan.variants.begin(), plan.variants.end(), l.variant) - plan.variants.begin();
             KernelStats& kernel = stats.kernels[static_cast<size_t>(at)];
             kernel.launches += 1;
             kernel.seconds += seconds_of(l.event);
         }
-        return prepared;
     }
 
-    void trace(const Plan& plan, const SceneBuffers& buffers, const std::vector<cl::Kernel>& kernels, Film& film,
-               const std::function<void(double)>& progress, RenderStats& stats) {
-        Scheduler scheduler(context, queue, memory, plan, buffers, tiles.get(memory, plan), kernels, film);
-        const Measured measured = scheduler.run(progress);
+    /// From the spheres to the film.
+    void run(const Job& job, const std::vector<cl::Kernel>& kernels, Film& film, RenderStats& stats) {
+        const double start = now();
+        Launcher launcher(queue, programs);
+        SphereKernels sphere_kernels(memory, launcher, job.plan);
+        std::optional<ChunkedSpheres> chunks;
+        if (job.plan.memory.cut)
+            chunks.emplace(memory, sphere_kernels, launcher, job.scene, job.survey, job.frame, job.plan);
+        const Prepared prepared = chunks ? prepare_without_spheres(job, sphere_kernels) : prepare(job, sphere_kernels);
+        launcher.finish();
+        const double prepared_at = now();
+        Scheduler scheduler(context, queue, memory, job.plan, prepared.buffers, tiles.get(memory, job.plan), kernels,
+                            film);
+        if (chunks) scheduler.take_spheres_from(*chunks);
+        measured(job.plan, scheduler.run(job.options.progress), stats);
+        add(job.plan, launcher.take_launched(), stats);
+        stats.chunks = chunks ? chunks->chunks() : 1;
+        stats.prepare_seconds += prepared_at - start;
+        stats.trace_seconds = now() - prepared_at;
+    }
+
+    static void measured(const Plan& plan, const Measured& measured, RenderStats& stats) {
         stats.hits = measured.hits;
         for (size_t i = 0; i < plan.variants.size(); ++i) {
             KernelStats& kernel = stats.kernels[i];
@@ -163,17 +198,15 @@ RenderStats Renderer::render(const Scene& scene, const RenderOptions& options, F
     if (!fits(film, scene.image, options.outputs)) film = Film(scene.image.width, scene.image.height, options.outputs);
     fill_untouched(film, plan);
     if (plan.steps.empty()) return stats;
+    stats.prepare_seconds = now() - start;
     const double planned_at = now();
     const std::vector<cl::Kernel> kernels = state_->build(plan, stats);
-    const double built_at = now();
-    const Prepared prepared = state_->prepare(plan, scene, spheres, frame, stats);
-    const double prepared_at = now();
-    state_->trace(plan, prepared.buffers, kernels, film, options.progress, stats);
+    stats.build_seconds = now() - planned_at;
+    state_->memory.expect(plan.memory.peak_bytes);
+    state_->run({scene, spheres, frame, plan, options}, kernels, film, stats);
+    stats.peak_bytes = state_->memory.peak();
     if (frame.unit != 1)
         for (float& distance : film.distance) distance = static_cast<float>(distance * frame.unit);
-    stats.trace_seconds = now() - prepared_at;
-    stats.prepare_seconds = prepared_at - built_at + planned_at - start;
-    stats.build_seconds = built_at - planned_at;
     return stats;
 } catch (const cl::Error& error) {
     throw Error(Blame::run, describe(error), state_->info.name,

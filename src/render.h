@@ -17,6 +17,7 @@ struct RenderOptions {
     Outputs outputs;
     bool shadows = true;
     int lanes = 0;                              ///< rays a vector: 1, 4, 8 or 16; 0 lets the plan choose
+    uint64_t memory = 0;                        ///< bytes of the device that may be used; 0: all that it offers
     int tile = 0;                               ///< rays a tile, rounded to whole 8 x 8 blocks; 0 lets the plan choose
     std::function<void(double)> progress = {};  ///< called now and then with the share that is done, 0 to 1
 };
@@ -33,7 +34,9 @@ struct KernelStats {
 
 struct RenderStats {
     int lanes = 0, packets = 0, tiles = 0;
-    int64_t tile_rays = 0, device_bytes = 0;
+    int64_t tile_rays = 0;
+    int64_t planned_bytes = 0, peak_bytes = 0;  ///< of the device: what the plan said, and what it came to
+    int chunks = 1;                             ///< in which the spheres went through the device
     int64_t pixels = 0, hits = 0, spheres = 0, lights = 0;
     double prepare_seconds = 0;  ///< the spheres as each pencil sees them, and their buffers
     double build_seconds = 0;    ///< kernels; 0 when they were built before

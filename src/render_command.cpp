@@ -101,6 +101,11 @@ RenderCommand::RenderCommand(CLI::App& app) {
     command_->add_flag("--no-shadows", no_shadows_, "let every light through");
     command_->add_option("--lanes", options_.lanes, "rays a vector: 1, 4, 8 or 16 (default: what the device likes)");
     command_->add_option("--tile", options_.tile, "rays a tile (default: what the device likes)");
+    command_
+        ->add_option("--memory", options_.memory,
+                     "bytes of the device to use at most, such as 512MiB or 2G (default: all that it offers)")
+        ->transform(CLI::AsSizeValue(false))
+        ->type_name("SIZE");
     command_->add_option("--exposure", display_.exposure, "brighten a display image by this many stops")
         ->check(CLI::Range(-100.0, 100.0));
     command_->add_option("--bits", display_.bits, "bits a channel of a display image: 8 or 16")

@@ -11,33 +11,14 @@ namespace {
 // and memory for events stay bounded.
 constexpr size_t tiles_ahead = 8;
 
-/// The film's planes behind one output, as 32-bit values.
-std::vector<std::pair<void*, size_t>> planes_of(Film& film, Output output) {
-    std::vector<std::pair<void*, size_t>> planes;
-    const auto add = [&](auto& plane) { planes.emplace_back(plane.data(), plane.bytes()); };
-    switch (output) {
-        case Output::radiance:
-            std::for_each(std::begin(film.radiance), std::end(film.radiance), add);
-            break;
-        case Output::distance:
-            add(film.distance);
-            break;
-        case Output::normal:
-            std::for_each(std::begin(film.normal), std::end(film.normal), add);
-            break;
-        case Output::id:
-            add(film.id);
-            break;
-    }
-    return planes;
-}
+bool meets_spheres(Kernel kernel) { return kernel == Kernel::intersect_closest || kernel == Kernel::intersect_shadow; }
 
 }  // namespace
 
 Scheduler::Scheduler(const cl::Context& context, const cl::CommandQueue& queue, const DeviceMemory& memory,
                      const Plan& plan, const SceneBuffers& scene, const std::vector<TileBuffers>& tiles,
                      std::vector<cl::Kernel> kernels, Film& film)
-    : context_(context), queue_(queue), plan_(plan), scene_(scene), kernels_(std::move(kernels)), film_(film) {
+    : queue_(queue), plan_(plan), scene_(scene), kernels_(std::move(kernels)), film_(film) {
     for (const TileBuffers& buffers : tiles) slots_.push_back({buffers, {}, 0});
     launched_.resize(plan.tiles.size());
     measured_.launches.resize(plan.variants.size());
@@ -47,12 +28,7 @@ Scheduler::Scheduler(const cl::Context& context, const cl::CommandQueue& queue, 
         groups_ += static_cast<int>(groups(Kernel::intersect_closest, tile));
     }
     hit_counts_ = memory.room<int>(groups_);
-    if (!plan.write_in_place) return;
-    for (const Step& step : plan.steps)
-        if (step.kernel == Kernel::resolve)
-            for (const auto& [data, bytes] : planes_of(film, step.output))
-                planes_[static_cast<size_t>(step.output)].emplace_back(context, CL_MEM_WRITE_ONLY | CL_MEM_USE_HOST_PTR,
-                                                                       bytes, data);
+    binder_.emplace(context, plan, scene, film, hit_counts_);
 }
 
 Measured Scheduler::run(const std::function<void(double)>& progress) {
@@ -84,75 +60,50 @@ void Scheduler::enqueue(size_t index) {
     Slot& slot = slots_[index % slots_.size()];
     slot.first_group = first_groups_[index];
     for (const Step& step : plan_.steps) {
-        launch(step, tile, slot);
-        launched_[index].push_back({step.variant, slot.busy.front()});
+        if (chunks_ && meets_spheres(step.kernel))
+            launch_chunks(index, step, slot);
+        else
+            launch(index, {step, tile, slot.buffers, slot.first_group, &resident_spheres(step)}, slot);
         if (step.kernel == Kernel::resolve && !plan_.write_in_place) read_planes(step.output, tile, slot);
     }
     queue_.flush();
+}
+
+const SphereBuffers& Scheduler::resident_spheres(const Step& step) const {
+    return step.light < 0 ? scene_.spheres : scene_.lights[static_cast<size_t>(step.light)].spheres;
+}
+
+/// One launch for each chunk; of these only one is on the device at a time.
+void Scheduler::launch_chunks(size_t index, const Step& step, Slot& slot) {
+    for (int chunk = 0; chunk < chunks_->chunks(); ++chunk) {
+        queue_.finish();
+        const SphereBuffers spheres = chunks_->seen(step.light, chunk);
+        launch(index, {step, plan_.tiles[index], slot.buffers, slot.first_group, &spheres, chunk == 0}, slot);
+        queue_.finish();
+    }
+    if (step.kernel == Kernel::intersect_closest && plan_.albedos_of_rays) look_up_albedos(plan_.tiles[index], slot);
+}
+
+void Scheduler::look_up_albedos(const Tile& tile, Slot& slot) {
+    std::vector<int> ids(static_cast<size_t>(tile.blocks) * BLOCK_RAYS);
+    queue_.enqueueReadBuffer(slot.buffers.ids, CL_TRUE, 0, ids.size() * sizeof(int), ids.data());
+    const std::vector<float> albedos = chunks_->albedos_of(ids);
+    queue_.enqueueWriteBuffer(slot.buffers.albedos, CL_TRUE, 0, albedos.size() * sizeof(float), albedos.data());
 }
 
 size_t Scheduler::groups(Kernel kernel, const Tile& tile) const {
     return static_cast<size_t>((plan_.items(kernel, tile) + plan_.local_size - 1) / plan_.local_size);
 }
 
-void Scheduler::launch(const Step& step, const Tile& tile, Slot& slot) {
-    cl::Kernel& kernel = kernels_[static_cast<size_t>(step.variant)];
-    bind(kernel, step, tile, slot);
-    const size_t local = static_cast<size_t>(plan_.local_size), global = groups(step.kernel, tile) * local;
+void Scheduler::launch(size_t index, const TileLaunch& what, Slot& slot) {
+    const int variant = what.step.variant;
+    cl::Kernel& kernel = kernels_[static_cast<size_t>(variant)];
+    binder_->bind(kernel, what);
+    const size_t local = static_cast<size_t>(plan_.local_size), global = groups(what.step.kernel, what.tile) * local;
     cl::Event done;
     queue_.enqueueNDRangeKernel(kernel, cl::NullRange, global, local, &slot.busy, &done);
     slot.busy = {done};
-}
-
-void Scheduler::bind(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot) {
-    const TileBuffers& b = slot.buffers;
-    const int items = plan_.items(step.kernel, tile);
-    switch (step.kernel) {
-        case Kernel::generate_rays:
-            return set_arguments(kernel, scene_.eye, tile, items, b.dirs);
-        case Kernel::intersect_closest:
-            return set_arguments(kernel, b.dirs, scene_.eye_basis, scene_.spheres.clusters, scene_.spheres.nodes,
-                                 scene_.spheres.levels, scene_.spheres.last, items, b.ts, b.normals, b.ids,
-                                 slot.first_group, hit_counts_);
-        case Kernel::intersect_shadow:
-        case Kernel::shade_light:
-            return bind_light(kernel, step, slot, items);
-        case Kernel::resolve:
-            return bind_resolve(kernel, step, tile, slot);
-        default:  // the kernels before the tiles are no steps
-            break;
-    }
-}
-
-void Scheduler::bind_light(cl::Kernel& kernel, const Step& step, const Slot& slot, int items) {
-    const TileBuffers& b = slot.buffers;
-    const LightBuffers& light = scene_.lights[static_cast<size_t>(step.light)];
-    const SphereBuffers& s = light.spheres;
-    const int first = step.first ? 1 : 0;
-    const auto with = [&](const auto& pencil) {
-        if (step.kernel == Kernel::intersect_shadow)
-            set_arguments(kernel, b.dirs, b.ts, b.normals, b.ids, s.clusters, s.nodes, s.levels, s.last,
-                          plan_.group_depth, pencil, items, b.arrival);
-        else
-            set_arguments(kernel, b.dirs, b.ts, b.normals, b.ids, b.arrival, s.clusters, s.nodes, s.levels, s.last,
-                          plan_.group_depth, scene_.albedos.values, scene_.albedos.first, scene_.albedos.stride, pencil,
-                          light.phi, first, items, b.radiance);
-    };
-    std::visit(with, light.pencil);
-}
-
-void Scheduler::bind_resolve(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot) {
-    const TileBuffers& b = slot.buffers;
-    const cl::Buffer* const sources[] = {&b.radiance, &b.ts, &b.normals, &b.ids};
-    const bool in_place = plan_.write_in_place;
-    const auto output = static_cast<size_t>(step.output);
-    const int components = step.output == Output::radiance || step.output == Output::normal ? 3 : 1;
-    const auto plane = [&](size_t c) -> const cl::Buffer& {
-        return in_place ? planes_[output][std::min(c, planes_[output].size() - 1)] : b.planes[c];
-    };
-    set_arguments(kernel, *sources[output], components, tile, film_.width, film_.height, in_place ? 0 : tile.x,
-                  in_place ? 0 : tile.y, in_place ? film_.width : tile.blocks_x * BLOCK_SIDE,
-                  plan_.items(step.kernel, tile), plane(0), plane(1), plane(2));
+    launched_[index].push_back({variant, done});
 }
 
 void Scheduler::read_planes(Output output, const Tile& tile, Slot& slot) {
@@ -185,8 +136,8 @@ void Scheduler::collect(size_t tile) {
 /// memory that copies nothing.
 void Scheduler::map_film() {
     queue_.finish();
-    for (const auto& planes : planes_)
-        for (const cl::Buffer& plane : planes) {
+    for (const Output output : {Output::radiance, Output::distance, Output::normal, Output::id})
+        for (const cl::Buffer& plane : binder_->planes(output)) {
             const size_t bytes = plane.getInfo<CL_MEM_SIZE>();
             queue_.enqueueUnmapMemObject(plane, queue_.enqueueMapBuffer(plane, CL_TRUE, CL_MAP_READ, 0, bytes));
         }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
-#include "buffers.h"
+#include "binder.h"
+#include "chunked_spheres.h"
 #include "film.h"
 #include "launcher.h"
 #include "plan.h"
@@ -26,6 +28,9 @@ class Scheduler {
               const SceneBuffers& scene, const std::vector<TileBuffers>& tiles, std::vector<cl::Kernel> kernels,
               Film& film);
 
+    /// Where the spheres are if the plan cuts the scene.
+    void take_spheres_from(ChunkedSpheres& chunks) { chunks_ = &chunks; }
+
     /// Launches everything and waits for it; the film is then complete.
     Measured run(const std::function<void(double)>& progress);
 
@@ -43,26 +48,26 @@ class Scheduler {
 
     void enqueue(size_t tile);
     size_t groups(Kernel kernel, const Tile& tile) const;
-    void launch(const Step& step, const Tile& tile, Slot& slot);
-    void bind(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot);
-    void bind_light(cl::Kernel& kernel, const Step& step, const Slot& slot, int items);
-    void bind_resolve(cl::Kernel& kernel, const Step& step, const Tile& tile, const Slot& slot);
+    void launch(size_t tile, const TileLaunch& what, Slot& slot);
+    void launch_chunks(size_t tile, const Step& step, Slot& slot);
+    void look_up_albedos(const Tile& tile, Slot& slot);
+    const SphereBuffers& resident_spheres(const Step& step) const;
     void read_planes(Output output, const Tile& tile, Slot& slot);
     void collect(size_t tile);
     void map_film();
 
-    cl::Context context_;
     cl::CommandQueue queue_;
     const Plan& plan_;
     const SceneBuffers& scene_;
+    ChunkedSpheres* chunks_ = nullptr;
     std::vector<cl::Kernel> kernels_;
     Film& film_;
-    std::vector<cl::Buffer> planes_[4];  // for each output, when the film is written in place
     std::vector<Slot> slots_;
     std::vector<std::vector<Launched>> launched_;  // for each tile
     cl::Buffer hit_counts_;                        // for each work-group of intersect_closest, tile after tile
     std::vector<int> first_groups_;                // of each tile, in hit_counts_
     int groups_ = 0;                               // of all tiles
+    std::optional<Binder> binder_;
     Measured measured_;
 };
 

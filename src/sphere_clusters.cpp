@@ -40,10 +40,14 @@ struct Pair {
 
 RowBuffers upload(const DeviceMemory& memory, const SphereRows& rows) {
     RowBuffers buffers;
-    buffers.rows = memory.over(rows.rows, rows.count * rows.columns);
     buffers.columns = rows.columns;
+    buffers.first_id = static_cast<int>(rows.first);
+    buffers.count = static_cast<int>(rows.count);
     buffers.has_rests = !rows.rests.empty();
+    buffers.has_ids = !rows.ids.empty();
+    buffers.rows = memory.over(rows.rows, rows.count * rows.columns);
     buffers.rests = buffers.has_rests ? memory.over(rows.rests.data(), 4 * rows.count) : memory.room<float>(1);
+    buffers.ids = buffers.has_ids ? memory.over(rows.ids.data(), rows.count) : memory.room<int>(1);
     return buffers;
 }
 
@@ -64,10 +68,10 @@ struct SphereKernels::Pairs {
 };
 
 /// By one word of the key: a radix sort of its digits, the lowest first.
-void SphereKernels::sort(Pairs& pairs, const RowBuffers& rows, int count, int word, bool first, const Survey& survey,
+void SphereKernels::sort(Pairs& pairs, const RowBuffers& rows, int word, bool first, const Survey& survey,
                          const Frame& frame) {
     const Grid grid(survey, frame);
-    const int slices = plan_.slices(count), all = groups_of_16(count), local = plan_.local_size;
+    const int count = rows.count, slices = plan_.slices(count), all = groups_of_16(count), local = plan_.local_size;
     const auto middle = static_cast<float>(survey.middle_radius / frame.unit);
     launcher_.launch(sphere_variant(Kernel::sphere_keys, rows.has_rests), all, local, rows.rows, rows.rests,
                      rows.columns, pairs.sorted, first ? 1 : 0, word, grid.low, grid.scale, middle, count, all,
@@ -86,45 +90,45 @@ void SphereKernels::sort(Pairs& pairs, const RowBuffers& rows, int count, int wo
 }
 
 /// False when runs of equal keys are too long.
-bool SphereKernels::find_duplicates(const Pairs& pairs, const RowBuffers& rows, int count, bool hashed, int longest,
+bool SphereKernels::find_duplicates(const Pairs& pairs, const RowBuffers& rows, bool hashed, int longest,
                                     const cl::Buffer& order) {
     const cl::Buffer crowded = memory_.room<int>(1);
     launcher_.fill_with_zeros(crowded);
-    launcher_.launch(sphere_variant(Kernel::find_duplicates, rows.has_rests), groups_of_16(count), plan_.local_size,
-                     rows.rows, rows.rests, rows.columns, pairs.sorted, hashed ? 1 : 0, longest, count,
-                     groups_of_16(count), order, crowded);
+    launcher_.launch(sphere_variant(Kernel::find_duplicates, rows.has_rests), groups_of_16(rows.count),
+                     plan_.local_size, rows.rows, rows.rests, rows.columns, pairs.sorted, hashed ? 1 : 0, longest,
+                     rows.count, groups_of_16(rows.count), order, crowded);
     return longest == any_run || launcher_.read_int(crowded) == 0;
 }
 
-ClusterBuffers SphereKernels::gather(const RowBuffers& rows, int64_t first_id, int64_t spheres, const Survey& survey,
-                                     const Frame& frame) {
+/// The rows of distinct spheres in the order of the hierarchy.
+void SphereKernels::order(const RowBuffers& rows, const Survey& survey, const Frame& frame, const cl::Buffer& order) {
+    Pairs pairs{memory_.room<Pair>(rows.count), memory_.room<Pair>(rows.count),
+                memory_.room<int>(int64_t{DIGITS} * plan_.slices(rows.count)), memory_.room<int>(DIGITS)};
+    sort(pairs, rows, 0, true, survey, frame);
+    if (!find_duplicates(pairs, rows, false, max_run, order)) {
+        sort(pairs, rows, HASH_WORD, true, survey, frame);
+        for (int word = PLACE_WORDS - 1; word >= 0; --word) sort(pairs, rows, word, false, survey, frame);
+        find_duplicates(pairs, rows, true, any_run, order);
+    }
+    launcher_.finish();  // only then are the pairs given back
+}
+
+ClusterBuffers SphereKernels::gather(const RowBuffers& rows, const Survey& survey, const Frame& frame) {
     ClusterBuffers result;
-    result.shape = hierarchy_over(spheres);
+    result.shape = hierarchy_over(rows.count, plan_.memory.cut ? 0 : flat_spheres);
     result.has_rests = rows.has_rests;
-    const int count = static_cast<int>(spheres);
-    const cl::Buffer order = memory_.room<int>(spheres);
-    {
-        Pairs pairs{memory_.room<Pair>(spheres), memory_.room<Pair>(spheres),
-                    memory_.room<int>(int64_t{DIGITS} * plan_.slices(count)), memory_.room<int>(DIGITS)};
-        if (result.shape.is_flat()) {
-            std::vector<Pair> unsorted(static_cast<size_t>(count));
-            for (cl_uint row = 0; row < unsorted.size(); ++row) unsorted[row] = {0, row};
-            pairs.sorted = memory_.copy(unsorted.data(), spheres);
-            find_duplicates(pairs, rows, count, false, any_run, order);
-        } else {
-            sort(pairs, rows, count, 0, true, survey, frame);
-            if (!find_duplicates(pairs, rows, count, false, max_run, order)) {
-                sort(pairs, rows, count, HASH_WORD, true, survey, frame);
-                for (int word = PLACE_WORDS - 1; word >= 0; --word)
-                    sort(pairs, rows, count, word, false, survey, frame);
-                find_duplicates(pairs, rows, count, true, any_run, order);
-            }
-        }
+    const cl::Buffer order = memory_.room<int>(rows.count);
+    if (result.shape.is_flat()) {
+        std::vector<Pair> unsorted(static_cast<size_t>(rows.count));
+        for (cl_uint row = 0; row < unsorted.size(); ++row) unsorted[row] = {0, row};
+        find_duplicates({memory_.copy(unsorted.data(), rows.count), {}, {}, {}}, rows, false, any_run, order);
+    } else {
+        this->order(rows, survey, frame, order);
     }
     result.clusters = memory_.room<Cluster>(result.shape.clusters);
     result.rests = memory_.room<ClusterRest>(rows.has_rests ? result.shape.clusters : 1);
-    launcher_.launch(sphere_variant(Kernel::gather_spheres, rows.has_rests), result.shape.clusters, plan_.local_size,
-                     rows.rows, rows.rests, rows.columns, order, static_cast<int>(first_id), count,
+    launcher_.launch(sphere_variant(Kernel::gather_spheres, rows.has_rests, false, rows.has_ids), result.shape.clusters,
+                     plan_.local_size, rows.rows, rows.rests, rows.columns, order, rows.ids, rows.first_id, rows.count,
                      result.shape.clusters, result.clusters, result.rests);
     return result;
 }

@@ -12,9 +12,9 @@ namespace gnomon {
 
 /// Rows on the device; see cl/sphere_rows.h.
 struct RowBuffers {
-    cl::Buffer rows, rests;
-    int columns = 0;
-    bool has_rests = false;
+    cl::Buffer rows, rests, ids;
+    int columns = 0, first_id = 0, count = 0;
+    bool has_rests = false, has_ids = false;
 };
 RowBuffers upload(const DeviceMemory& memory, const SphereRows& rows);
 
@@ -49,16 +49,14 @@ class SphereKernels {
         : memory_(memory), launcher_(launcher), plan_(plan) {}
 
     /// Sorts spheres and gathers them in clusters. Coincident spheres count as one: the lowest id stands for all.
-    ClusterBuffers gather(const RowBuffers& rows, int64_t first_id, int64_t count, const Survey& survey,
-                          const Frame& frame);
+    ClusterBuffers gather(const RowBuffers& rows, const Survey& survey, const Frame& frame);
     SphereBuffers project(const ClusterBuffers& spheres, const PencilView& view);
 
   private:
     struct Pairs;
-    void sort(Pairs& pairs, const RowBuffers& rows, int count, int word, bool first, const Survey& survey,
-              const Frame& frame);
-    bool find_duplicates(const Pairs& pairs, const RowBuffers& rows, int count, bool hashed, int max_run,
-                         const cl::Buffer& order);
+    void sort(Pairs& pairs, const RowBuffers& rows, int word, bool first, const Survey& survey, const Frame& frame);
+    bool find_duplicates(const Pairs& pairs, const RowBuffers& rows, bool hashed, int longest, const cl::Buffer& order);
+    void order(const RowBuffers& rows, const Survey& survey, const Frame& frame, const cl::Buffer& order);
     void bound(const SphereBuffers& spheres, const HierarchyShape& shape, const PencilView& view);
 
     const DeviceMemory& memory_;

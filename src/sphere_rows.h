@@ -14,7 +14,8 @@ namespace gnomon {
 struct SphereRows {
     const float* rows = nullptr;  ///< into the scene's own table where it holds what is wanted, else into `made`
     int columns = 7;
-    int64_t first = 0, count = 0;  ///< ids
+    int64_t first = 0, count = 0;  ///< ids first, first + 1, ...
+    std::vector<int> ids;          ///< or, when it is not empty, these, ascending
     Rgb albedo;                    ///< of all, when there are 4 columns
     std::vector<float> made, rests;
 };

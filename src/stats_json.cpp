@@ -60,14 +60,12 @@ Json to_json(const RunStats& run, const Scene& scene, const DeviceInfo& device) 
     json["device"] = to_json(device);
     json["scene"] = {{"file", run.scene_path}, {"sha1", scene.sha1}, {"spheres", r.spheres}, {"lights", r.lights}};
     json["image"] = {{"width", scene.image.width}, {"height", scene.image.height}};
-    json["plan"] = {{"lanes", r.lanes},
-                    {"packets", r.packets},
-                    {"tile_rays", r.tile_rays},
-                    {"tiles", r.tiles},
-                    {"device_bytes", r.device_bytes}};
+    json["plan"] = {{"lanes", r.lanes}, {"packets", r.packets}, {"tile_rays", r.tile_rays},
+                    {"tiles", r.tiles}, {"chunks", r.chunks},   {"planned_bytes", r.planned_bytes}};
     json["seconds"] = {{"load", run.load_seconds},     {"device", run.device_seconds}, {"build", r.build_seconds},
                        {"prepare", r.prepare_seconds}, {"trace", r.trace_seconds},     {"write", run.write_seconds},
                        {"check", run.check_seconds}};
+    json["peak_bytes"] = r.peak_bytes;
     json["rays"] = r.rays;
     json["hits"] = r.hits;
     json["mrays_per_second"] = mrays_per_second(r.rays, r.trace_seconds);

@@ -93,6 +93,7 @@ Survey survey(const Scene& scene) {
     include(s, part, static_cast<int64_t>(scene.spheres.size()));
     for (const SphereTable& table : scene.tables)
         std::visit([&](const auto* rows) { include_table(s, rows, table.columns, table.count); }, table.rows);
+    s.one_albedo = scene.spheres.empty() && scene.tables.size() == 1 && scene.tables.front().columns == 4;
     if (s.count > 0) s.middle_radius = middle_radius(scene, s.count);
     return s;
 }

@@ -14,6 +14,7 @@ struct Survey {
     double largest_radius = 0;
     double middle_radius = 0;  ///< of a sample
     bool floats = true;        ///< all numbers are floats exactly
+    bool one_albedo = false;   ///< all spheres are rows of one table without albedos of their own
 };
 Survey survey(const Scene& scene);
 

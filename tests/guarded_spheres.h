@@ -40,7 +40,7 @@ class DeviceSpheres {
         plan_.local_size = bench.local;
         plan_.max_slices = sharing.slices;
         SphereKernels kernels(memory_, launcher_, plan_);
-        buffers = kernels.gather(upload(memory_, rows_), 0, survey.count, survey, frame);
+        buffers = kernels.gather(upload(memory_, rows_), survey, frame);
     }
     PencilSpheres seen(const PencilView& view) {
         const SphereBuffers seen = SphereKernels(memory_, launcher_, plan_).project(buffers, view);

@@ -96,12 +96,12 @@ inline std::vector<float> arrival(Bench& bench, Width w, const Receivers& hits, 
     const GuardedBuffer<float> result(bench, hits.size());
     const int items = static_cast<int>(hits.size()) / w.rays();
     const cl::Kernel kernel =
-        bench.programs.get({Kernel::intersect_shadow, w.defines({light.define, light.levels()})}).kernel;
+        bench.programs.get({Kernel::intersect_shadow, w.defines({light.define, light.levels(), "CHUNKS=0"})}).kernel;
     std::visit(
         [&](const auto& pencil) {
             bench.launch(kernel, items, in.dirs.buffer(), in.ts.buffer(), in.normals.buffer(), in.ids.buffer(),
                          in.spheres.clusters.buffer(), in.spheres.nodes.buffer(), light.spheres.levels,
-                         light.spheres.last, light.group_depth, pencil, items, result.buffer());
+                         light.spheres.last, 1, light.group_depth, pencil, items, result.buffer());
         },
         light.pencil);
     in.check_unchanged();
@@ -140,7 +140,7 @@ inline std::vector<float> shade(Bench& bench, Width w, const Scene& scene, const
     const GuardedBuffer<float> arriving(bench, shading.arrival.empty() ? sentinels<float>(1) : shading.arrival);
     const GuardedBuffer<float> radiance(bench, shading.radiance);
     const int items = static_cast<int>(hits.size()) / w.rays(), first = shading.first ? 1 : 0;
-    const Variant variant{Kernel::shade_light, w.defines({light.define, "SHADOWS=" + shading.shadows, light.levels()})};
+    const Variant variant{Kernel::shade_light, w.defines({light.define, "SHADOWS=" + shading.shadows, light.levels(), "ALBEDOS_OF_RAYS=0"})};
     std::visit(
         [&](const auto& pencil) {
             bench.launch(bench.programs.get(variant).kernel, items, in.dirs.buffer(), in.ts.buffer(),

@@ -1,0 +1,50 @@
+// The arguments of the kernels that a tile goes through.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "buffers.h"
+#include "film.h"
+#include "launcher.h"
+#include "plan.h"
+
+namespace gnomon {
+
+/// The film's planes behind one output: 32-bit values and bytes.
+std::vector<std::pair<void*, size_t>> planes_of(Film& film, Output output);
+
+/// What one launch works on.
+struct TileLaunch {
+    const Step& step;
+    const Tile& tile;
+    const TileBuffers& buffers;
+    int first_group = 0;                     ///< of the tile's work-groups, in the counts of hits
+    const SphereBuffers* spheres = nullptr;  ///< for the kernels that meet them
+    bool first_chunk = true;                 ///< of these
+};
+
+class Binder {
+  public:
+    /// The film's planes become buffers where the plan writes them in place.
+    Binder(const cl::Context& context, const Plan& plan, const SceneBuffers& scene, Film& film,
+           const cl::Buffer& hit_counts);
+
+    /// Sets all arguments of the kernel that the step launches.
+    void bind(cl::Kernel& kernel, const TileLaunch& launch) const;
+
+    /// Of one output, if the film is written in place.
+    const std::vector<cl::Buffer>& planes(Output output) const { return planes_[static_cast<size_t>(output)]; }
+
+  private:
+    void bind_light(cl::Kernel& kernel, const TileLaunch& launch, int items) const;
+    void bind_resolve(cl::Kernel& kernel, const TileLaunch& launch) const;
+
+    const Plan& plan_;
+    const SceneBuffers& scene_;
+    const Film& film_;
+    cl::Buffer hit_counts_;
+    std::vector<cl::Buffer> planes_[4];
+};
+
+}  // namespace gnomon

@@ -1,0 +1,41 @@
+// Spheres that do not lie on the device all at once: chunk by chunk, as one pencil sees them.
+#pragma once
+
+#include <vector>
+
+#include "partition.h"
+#include "sphere_clusters.h"
+
+namespace gnomon {
+
+class ChunkedSpheres {
+  public:
+    /// Cuts the scene as the plan says. The scene and the kernels must outlive this.
+    ChunkedSpheres(const DeviceMemory& memory, SphereKernels& kernels, Launcher& launcher, const Scene& scene,
+                   const Survey& survey, const Frame& frame, const Plan& plan);
+
+    int chunks() const { return partition_.chunks(); }
+
+    /// One chunk as the eye (light < 0) or a light's pencil sees it; ready when this returns. What was seen before must
+    /// be given back by then, for there is room for one.
+    SphereBuffers seen(int light, int chunk);
+
+    /// Of spheres, in the order of rays (cl/types.h): three floats for each id, 0 where it is negative.
+    std::vector<float> albedos_of(const std::vector<int>& ids) const;
+
+  private:
+    ClusterBuffers gather(int chunk);
+    PencilView view(int light) const;
+
+    const DeviceMemory& memory_;
+    SphereKernels& kernels_;
+    Launcher& launcher_;
+    const Scene& scene_;
+    const Survey& survey_;
+    const Frame& frame_;
+    bool resident_;
+    Partition partition_;
+    std::vector<ClusterBuffers> gathered_;  // of each chunk, if they stay
+};
+
+}  // namespace gnomon

@@ -1,0 +1,43 @@
+// How a scene and the rays under way share a device's memory.
+#pragma once
+
+#include <cstdint>
+
+#include "footprint.h"
+
+namespace gnomon {
+
+/// Bytes that a device offers.
+struct MemoryLimits {
+    int64_t all = 0, one_buffer = 0;
+};
+
+struct MemoryNeeds {
+    SphereFootprint sphere;
+    int64_t spheres = 0;
+    int views = 1;                ///< pencils
+    int64_t image_rays = 0;       ///< in whole blocks
+    int64_t tile_rays = 0;        ///< of the largest tile, while the scene is not cut
+    int64_t asked_tile_rays = 0;  ///< 0: as many as fit
+    int64_t tiles_under_way = 1;
+};
+
+/// Either the whole scene lies on the device as all pencils see it, and tiles go through one after the other; or it is
+/// cut into chunks, of which one at a time is seen by one pencil, and a tile, as large as can be, stays for all of
+/// them.
+struct MemoryPlan {
+    bool cut = false;
+    int64_t chunk_spheres = 0;  ///< the most in a chunk
+    bool resident = true;       ///< chunks stay in order; else they are put in order again for each pencil
+    int64_t tile_rays = 0;
+    int64_t peak_bytes = 0;  ///< of the device
+};
+
+/// Bytes of one ray in a tile's buffers: dir 12, t 4, normal 12, id 4, arrival 4, radiance 12; albedo 12 if the scene
+/// is cut.
+constexpr int64_t bytes_per_ray = 48, bytes_per_albedo = 12;
+
+/// Throws Error(Blame::run) when not even small chunks fit.
+MemoryPlan plan_memory(const MemoryNeeds& needs, const MemoryLimits& limits);
+
+}  // namespace gnomon

@@ -1,0 +1,171 @@
+#include "partition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <future>
+#include <limits>
+#include <string>
+
+#include "error.h"
+
+namespace gnomon {
+
+namespace {
+
+constexpr int cell_bits = 5;  // an axis
+constexpr size_t cells = size_t{1} << 3 * cell_bits;
+constexpr int64_t block = 1 << 16;  // rows that are made at a time
+
+/// A row with what rounding left over, as the kernels see it.
+struct RowView {
+    const float *row, *rest;  // rest may be null
+};
+
+/// Calls visit(id, row) for the ids from `first` to `last`.
+template <class Visit>
+void for_each_row(const Scene& scene, const Frame& frame, int64_t first, int64_t last, Visit visit) {
+    for (int64_t from = first; from < last; from += block) {
+        const SphereRows rows = sphere_rows(scene, frame, from, std::min(block, last - from));
+        for (int64_t i = 0; i < rows.count; ++i)
+            visit(from + i,
+                  RowView{rows.rows + i * rows.columns, rows.rests.empty() ? nullptr : rows.rests.data() + 4 * i});
+    }
+}
+
+/// Runs work(first, last) over both halves of the ids at once.
+template <class Work>
+void in_halves(int64_t count, Work work) {
+    auto first = std::async(std::launch::async, work, int64_t{0}, count / 2, 0);
+    work(count / 2, count, 1);
+    first.get();
+}
+
+/// Places in the grid of cells.
+class Grid {
+  public:
+    Grid(const Survey& survey, const Frame& frame) {
+        const Vec3 low = frame.place(survey.low), size = frame.place(survey.high) - low;
+        const double lows[] = {low.x, low.y, low.z}, side = std::max({size.x, size.y, size.z});
+        std::copy(std::begin(lows), std::end(lows), low_);
+        scale_ = side > 0 ? (1 << cell_bits) / side : 0;
+    }
+    size_t cell(const RowView& r) const {
+        size_t index = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto place = static_cast<int>((static_cast<double>(r.row[axis]) - low_[axis]) * scale_);
+            const auto inside = static_cast<unsigned>(std::clamp(place, 0, (1 << cell_bits) - 1));
+            for (int bit = 0; bit < cell_bits; ++bit) index |= size_t{inside >> bit & 1} << (3 * bit + axis);
+        }
+        return index;
+    }
+
+  private:
+    double low_[3], scale_;
+};
+
+/// The same for spheres that coincide. Adding 0 makes -0 into 0.
+uint32_t hash_of(const RowView& r) {
+    uint32_t hash = 2166136261u;  // Fowler, Noll and Vo's, on words
+    const auto add = [&](const float* numbers) {
+        for (int i = 0; numbers && i < 4; ++i) {
+            const float number = numbers[i] + 0.0f;
+            uint32_t word;
+            std::memcpy(&word, &number, sizeof word);
+            hash = (hash ^ word) * 16777619u;
+            hash ^= hash >> 15;
+        }
+    };
+    add(r.row);
+    add(r.rest);
+    return hash;
+}
+
+/// The chunks that each cell's spheres go to.
+struct Cells {
+    std::vector<int> first = std::vector<int>(cells), parts = std::vector<int>(cells, 1);
+    int chunks = 0;
+};
+
+/// Cells in their order, as many to a chunk as fit; one that holds more is cut so that its parts are about half full.
+Cells assign(const std::vector<int64_t>& sizes, int64_t capacity) {
+    Cells result;
+    int64_t room = 0;
+    for (size_t cell = 0; cell < cells; ++cell) {
+        if (sizes[cell] > capacity) {
+            result.first[cell] = result.chunks;
+            result.parts[cell] = static_cast<int>(sizes[cell] / std::max<int64_t>(capacity / 2, 1)) + 1;
+            result.chunks += result.parts[cell];
+            room = 0;
+            continue;
+        }
+        if (sizes[cell] > room) {
+            ++result.chunks;
+            room = capacity;
+        }
+        room -= sizes[cell];
+        result.first[cell] = std::max(0, result.chunks - 1);
+    }
+    return result;
+}
+
+[[noreturn]] void too_many(int64_t capacity) {
+    throw Error(Blame::run, "more spheres lie in one place than the " + std::to_string(capacity) + " that fit a chunk",
+                "", "allow more memory (--memory), or use a device with more");
+}
+
+}  // namespace
+
+Partition cut_into_chunks(const Scene& scene, const Survey& survey, const Frame& frame, int64_t capacity) {
+    const Grid grid(survey, frame);
+    std::vector<int64_t> counts[2] = {std::vector<int64_t>(cells), std::vector<int64_t>(cells)};
+    in_halves(survey.count, [&](int64_t first, int64_t last, int half) {
+        for_each_row(scene, frame, first, last, [&](int64_t, const RowView& r) { ++counts[half][grid.cell(r)]; });
+    });
+    for (size_t cell = 0; cell < cells; ++cell) counts[0][cell] += counts[1][cell];
+    const Cells chunks = assign(counts[0], capacity);
+    if (chunks.chunks > std::numeric_limits<uint16_t>::max()) too_many(capacity);
+    Partition result;
+    result.chunk_of.resize(static_cast<size_t>(survey.count));
+    std::vector<int64_t> sizes[2] = {std::vector<int64_t>(static_cast<size_t>(chunks.chunks)),
+                                     std::vector<int64_t>(static_cast<size_t>(chunks.chunks))};
+    in_halves(survey.count, [&](int64_t first, int64_t last, int half) {
+        for_each_row(scene, frame, first, last, [&](int64_t id, const RowView& r) {
+            const size_t cell = grid.cell(r);
+            const auto parts = static_cast<uint32_t>(chunks.parts[cell]);
+            const int chunk = chunks.first[cell] + static_cast<int>(parts > 1 ? hash_of(r) % parts : 0);
+            result.chunk_of[static_cast<size_t>(id)] = static_cast<uint16_t>(chunk);
+            ++sizes[half][static_cast<size_t>(chunk)];
+        });
+    });
+    for (size_t chunk = 0; chunk < sizes[0].size(); ++chunk) {
+        result.sizes.push_back(sizes[0][chunk] + sizes[1][chunk]);
+        result.early.push_back(sizes[0][chunk]);
+        if (result.sizes.back() > capacity) too_many(capacity);
+    }
+    return result;
+}
+
+SphereRows rows_of_chunk(const Scene& scene, const Frame& frame, const Partition& partition, int chunk) {
+    SphereRows result;
+    result.columns = 4;
+    result.count = partition.sizes[static_cast<size_t>(chunk)];
+    const auto count = static_cast<size_t>(result.count);
+    result.made.resize(4 * count);
+    result.ids.resize(count);
+    if (!frame.floats) result.rests.resize(4 * count);
+    const auto all = static_cast<int64_t>(partition.chunk_of.size());
+    in_halves(all, [&](int64_t first, int64_t last, int half) {
+        auto to = static_cast<size_t>(half == 0 ? 0 : partition.early[static_cast<size_t>(chunk)]);
+        for_each_row(scene, frame, first, last, [&](int64_t id, const RowView& r) {
+            if (partition.chunk_of[static_cast<size_t>(id)] != chunk) return;
+            std::copy(r.row, r.row + 4, &result.made[4 * to]);
+            if (r.rest) std::copy(r.rest, r.rest + 4, &result.rests[4 * to]);
+            result.ids[to++] = static_cast<int>(id);
+        });
+    });
+    result.rows = result.made.data();
+    return result;
+}
+
+}  // namespace gnomon
