@@ -1,6 +1,7 @@
 #include "npy.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "bytes.h"
 #include "error.h"

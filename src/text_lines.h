@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace gnomon {
 
@@ -57,14 +58,23 @@ class Words {
 /// The least bytes that so many words take: a character each, and spaces or line ends between them.
 constexpr int64_t least_bytes(int64_t words) { return 2 * words - 1; }
 
+/// Whether from_chars called a number out of range that is only too small; its rounded value is 0.
+inline bool rounds_to_zero(const char* begin, const char* end) {
+    long double number = 0;  // whose range is so much larger that it tells the one from the other
+    return std::from_chars(begin, end, number).ec == std::errc() && number > -1 && number < 1;
+}
+
 /// Reads a word that is a number and nothing else, whatever the locale; a float is rounded once. False if it is none,
 /// or is beyond what T can hold.
 template <class T>
 bool parse(std::string_view word, T& number) {
-    const char* end = word.data() + word.size();
     const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-';  // which from_chars does not know
-    const auto result = std::from_chars(word.data() + (has_plus ? 1 : 0), end, number);
-    return result.ec == std::errc() && result.ptr == end;
+    const char *begin = word.data() + (has_plus ? 1 : 0), *end = word.data() + word.size();
+    const auto result = std::from_chars(begin, end, number);
+    if (result.ptr != end) return false;
+    if (result.ec == std::errc()) return true;
+    number = 0;
+    return std::is_floating_point_v<T> && result.ec == std::errc::result_out_of_range && rounds_to_zero(begin, end);
 }
 
 }  // namespace gnomon

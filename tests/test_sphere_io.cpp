@@ -153,6 +153,16 @@ TEST_CASE("integers that float cannot hold make a table of doubles", "[sphere_io
     check_rows(table, {{4294967295.0, -16777217, 5, 2, 0.25, 0.5, 0.125}});
 }
 
+TEST_CASE("numbers too small for their type are 0", "[sphere_io]") {
+    const TempFolder folder;
+    const std::string tiny = "1e-50 -1e-400 1e-40 2\n";
+    const auto load = [&](const char* type) {
+        return load_spheres(folder.write("a.ply", ply_header("ascii", type, 1, 4) + tiny));
+    };
+    check_rows(load("float"), {{0, 0, double{1e-40f}, 2, 1, 1, 1}});
+    check_rows(load("double"), {{1e-50, 0, 1e-40, 2, 1, 1, 1}});
+}
+
 TEST_CASE("atoms take radius and colour from their element", "[sphere_io]") {
     const TempFolder folder;
     const std::string water =

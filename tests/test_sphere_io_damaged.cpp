@@ -257,6 +257,8 @@ TEST_CASE("damaged XYZ files are refused", "[sphere_io]") {
             {"1\n\nH 0 0 0\n\n1\n\nH 0 0 0\n", {"line 5: found \"1\" after the last atom"}},
             {"1\n\nH 0 0 -\n", {"line 3: found \"-\", expected a number"}},
             {"1\n\nH 0 0 1e999\n", {"line 3: found \"1e999\", expected a number"}},
+            {"1\n\nH 0 0 1" + std::string(310, '0') + "e-1\n", {"line 3: found \"1000", "expected a number"}},
+            {"1\n\nH 0 0 0x1p3\n", {"line 3: found \"0x1p3\", expected a number"}},
             {"1\n\nHydrogen 0 0\n", {"line 3: the line ends before the last column", "Properties=species:S:1"}},
             {"1\n\nH 0 0 0 9\n", {"line 3: found \"9\" after the last column", "Properties=species:S:1"}},
             {"1\n\n\nH 0 0 0\n", {"line 3: the line ends before the last column"}},
