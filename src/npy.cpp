@@ -7,7 +7,7 @@
 #include "error.h"
 #include "json_parse.h"
 #include "npy_header.h"
-#include "sphere_rows.h"
+#include "table_rows.h"
 
 namespace gnomon {
 

@@ -2,7 +2,7 @@
 
 #include "ply_source.h"
 #include "ply_vertex.h"
-#include "sphere_rows.h"
+#include "table_rows.h"
 
 namespace gnomon {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ply_header.h"
-#include "sphere_rows.h"
+#include "table_rows.h"
 
 namespace gnomon {
 

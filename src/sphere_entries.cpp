@@ -6,7 +6,7 @@
 
 #include "error.h"
 #include "sphere_io.h"
-#include "sphere_rows.h"
+#include "table_rows.h"
 
 namespace gnomon {
 

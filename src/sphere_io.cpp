@@ -9,7 +9,7 @@
 #include "mapped_file.h"
 #include "npy.h"
 #include "ply.h"
-#include "sphere_rows.h"
+#include "table_rows.h"
 #include "xyz.h"
 
 namespace gnomon {

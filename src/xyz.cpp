@@ -8,7 +8,7 @@
 #include "elements.h"
 #include "error.h"
 #include "json_parse.h"
-#include "sphere_rows.h"
+#include "table_rows.h"
 #include "text_lines.h"
 #include "xyz_header.h"
 

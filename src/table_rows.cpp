@@ -1,4 +1,4 @@
-#include "sphere_rows.h"
+#include "table_rows.h"
 
 #include <fmt/format.h>
 
