@@ -1,4 +1,4 @@
-// The sRGB curve, its table, and the four views.
+// The sRGB curve's table, and the four views.
 #include "display.h"
 
 #include <algorithm>
@@ -54,14 +54,6 @@ LinearColour normal_colour(float x, float y, float z) {
 }
 
 }  // namespace
-
-double srgb_encode(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
-double srgb_decode(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 SrgbQuantiser::SrgbQuantiser(int bits) : top_(static_cast<uint16_t>((1 << bits) - 1)) {
     step_.resize(top_ + 2u, infinity);

@@ -8,17 +8,12 @@
 
 #include "film.h"
 #include "image_io.h"
+#include "srgb.h"
 
 namespace gnomon {
 
 /// Linear red, green, blue of a picture's pixel; what lies outside [0, 1] is clipped.
 using LinearColour = std::array<float, 3>;
-
-/// The sRGB encoding of linear light in [0, 1]: IEC 61966-2-1:1999, a straight part and a power.
-double srgb_encode(double linear);
-
-/// Its inverse, for codes in [0, 1].
-double srgb_decode(double encoded);
 
 /// Linear light to sRGB codes 0 .. 2^bits - 1: clipped to [0, 1], encoded, rounded half up; a NaN becomes 0.
 /// A code is looked up among the exact linear values at which the rounded code steps, since a power per channel and

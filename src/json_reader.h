@@ -26,6 +26,7 @@ class JsonReader {
     /// Checks that this is an array and returns its size.
     std::size_t array_size() const;
 
+    bool is_object() const { return value_.is_object(); }
     bool has(const std::string& key) const { return value_.is_object() && value_.contains(key); }
     /// A member that is there, as expect_object() or has() told.
     JsonReader operator[](const std::string& key) const;

@@ -6,12 +6,14 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <string_view>
 
 #include "error.h"
 #include "json_reader.h"
 #include "sha1.h"
+#include "sphere_entries.h"
 
 namespace gnomon {
 namespace {
@@ -76,11 +78,6 @@ Camera read_camera(const JsonReader& camera) {
     return result;
 }
 
-Sphere read_sphere(const JsonReader& sphere) {
-    sphere.expect_object("a sphere", {"center", "radius", "albedo"});
-    return {sphere["center"].vec3(), sphere["radius"].positive(), sphere["albedo"].rgb()};
-}
-
 Light read_directional(const JsonReader& light) {
     light.expect_object("a directional light", {"type", "direction_to_light", "irradiance"});
     return DirectionalLight{read_direction(light["direction_to_light"]), light["irradiance"].rgb()};
@@ -109,32 +106,16 @@ std::vector<Item> read_list(const JsonReader& list, Item (*read)(const JsonReade
     return items;
 }
 
-Scene read_scene(const JsonReader& root) {
+LoadedScene read_scene(const JsonReader& root, const std::string& folder) {
     root.expect_object("a scene", {"image", "camera", "spheres", "lights"}, {"$schema"});
     if (root.has("$schema")) root["$schema"].text();  // for editors; here it only has to be a string
-    Scene scene;
+    LoadedScene loaded;
+    Scene& scene = loaded.scene;
     scene.image = read_image(root["image"]);
     scene.camera = read_camera(root["camera"]);
-    scene.spheres = read_list(root["spheres"], read_sphere);
     scene.lights = read_list(root["lights"], read_light);
-    return scene;
-}
-
-/// One line per sphere that reflects more than arrives; a few lines, for a generated scene may have thousands.
-std::vector<std::string> albedo_warnings(const Scene& scene, const JsonReader& spheres) {
-    const std::size_t most = 4;
-    std::vector<std::string> warnings;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
-        const Rgb albedo = scene.spheres[i].albedo;
-        if (albedo.r <= 1 && albedo.g <= 1 && albedo.b <= 1) continue;
-        if (++count > most) continue;
-        const JsonReader reader = spheres[i]["albedo"];
-        warnings.push_back(reader.where() + ": found " + reader.found() +
-                           ", above 1: this sphere reflects more light than arrives");
-    }
-    if (count > most) warnings.push_back(spheres.where() + ": and " + std::to_string(count - most) + " more");
-    return warnings;
+    read_spheres(root["spheres"], folder, loaded);  // last, for files are the longest to read
+    return loaded;
 }
 
 /// One side of "WxH"; `text` is the whole, for the message.
@@ -164,10 +145,7 @@ LoadedScene load_scene(const std::string& path) {
 
 LoadedScene parse_scene(const std::string& text, const std::string& name) {
     const nlohmann::json document = parse_json(text, name);
-    const JsonReader root(document, name);
-    LoadedScene loaded{read_scene(root), {}};
-    loaded.warnings = albedo_warnings(loaded.scene, root["spheres"]);
-    return loaded;
+    return read_scene({document, name}, std::filesystem::path(name).parent_path().string());
 }
 
 ImageSize parse_size(const std::string& text) {

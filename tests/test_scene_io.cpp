@@ -237,9 +237,9 @@ TEST_CASE("wrong types are refused", "[scene_io]") {
     });
     CHECK(contains(scene_refusal("[1, 2]"), "s.json: top level: found [1,2], expected a scene"));
     CHECK(contains(scene_refusal("7"), "s.json: top level: found 7, expected a scene"));
-    const std::string no_list = R"({"image": {"width": 1, "height": 1}, "spheres": {}, "lights": [],
+    const std::string no_list = R"({"image": {"width": 1, "height": 1}, "spheres": {}, "lights": {},
                                     "camera": {"eye": [0, 0, 0], "at": [0, 0, 1], "up": [0, 1, 0], "fov": 60}})";
-    CHECK(contains(scene_refusal(no_list), "s.json: /spheres: found an object, expected an array"));
+    CHECK(contains(scene_refusal(no_list), "s.json: /lights: found an object, expected an array"));
 }
 
 TEST_CASE("wrong values are refused", "[scene_io]") {

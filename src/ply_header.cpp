@@ -1,0 +1,141 @@
+#include "ply_header.h"
+
+#include <algorithm>
+#include <array>
+
+#include "error.h"
+#include "json_parse.h"
+#include "text_lines.h"
+
+namespace gnomon {
+
+namespace {
+
+struct TypeName {
+    const char *old_name, *name;
+    PlyType type;
+    int size;
+};
+
+/// In the order of PlyType.
+constexpr std::array<TypeName, 8> types{{{"char", "int8", PlyType::int8, 1},
+                                         {"uchar", "uint8", PlyType::uint8, 1},
+                                         {"short", "int16", PlyType::int16, 2},
+                                         {"ushort", "uint16", PlyType::uint16, 2},
+                                         {"int", "int32", PlyType::int32, 4},
+                                         {"uint", "uint32", PlyType::uint32, 4},
+                                         {"float", "float32", PlyType::float32, 4},
+                                         {"double", "float64", PlyType::float64, 8}}};
+
+/// Reads the header line by line; every refusal names the line.
+class HeaderReader {
+  public:
+    HeaderReader(std::string_view bytes, const std::string& path) : bytes_(bytes), lines_(bytes), path_(path) {}
+
+    PlyHeader read() {
+        next_line();
+        if (line_ != "ply") throw Error(Blame::input, "found no PLY file: the first line is not \"ply\"", path_);
+        read_format();
+        while (next_line() != "end_header") read_statement();
+        finish_element();
+        header_.data_start = bytes_.size() - lines_.rest().size();
+        return std::move(header_);
+    }
+
+  private:
+    std::string_view next_line() {
+        if (!lines_.next(line_)) throw Error(Blame::input, "the file ends in the header: found no end_header", path_);
+        return line_;
+    }
+
+    void read_format() {
+        next_line();
+        if (line_ == "format ascii 1.0")
+            header_.format = PlyFormat::ascii;
+        else if (line_ == "format binary_little_endian 1.0")
+            header_.format = PlyFormat::binary_little_endian;
+        else if (line_ == "format binary_big_endian 1.0")
+            header_.format = PlyFormat::binary_big_endian;
+        else
+            refuse("\"format\" with ascii, binary_little_endian or binary_big_endian, and 1.0");
+    }
+
+    void read_statement() {
+        Words words(line_);
+        const std::string_view keyword = words.next();
+        if (keyword == "comment" || keyword == "obj_info") return;
+        if (keyword == "element")
+            read_element(words);
+        else if (keyword == "property")
+            read_property(words);
+        else
+            refuse("element, property, comment, obj_info or end_header");
+    }
+
+    void read_element(Words words) {
+        finish_element();
+        PlyElement element{std::string(words.next()), 0, {}};
+        const bool good = parse(words.next(), element.count) && element.count >= 0 && words.next().empty();
+        if (!good) refuse("\"element\" with a name and a count from 0");
+        for (const PlyElement& other : header_.elements)
+            if (other.name == element.name) refuse("each element once");
+        header_.elements.push_back(std::move(element));
+    }
+
+    void read_property(Words words) {
+        if (header_.elements.empty()) refuse("an element before its properties");
+        PlyProperty property{"", PlyType::int8, {}};
+        std::string_view type = words.next();
+        if (type == "list") {
+            property.length_type = read_type(words.next());
+            if (*property.length_type >= PlyType::float32) refuse("an integer type for a list's length");
+            type = words.next();
+        }
+        property.type = read_type(type);
+        property.name = words.next();
+        if (property.name.empty() || !words.next().empty()) refuse("\"property\" with a type and a name");
+        std::vector<PlyProperty>& properties = header_.elements.back().properties;
+        for (const PlyProperty& other : properties)
+            if (other.name == property.name) refuse("each property of an element once");
+        properties.push_back(std::move(property));
+    }
+
+    PlyType read_type(std::string_view word) const {
+        const auto named = [&](const TypeName& type) { return word == type.old_name || word == type.name; };
+        const auto found = std::find_if(types.begin(), types.end(), named);
+        if (found == types.end()) refuse("a property's type: char, uchar, short, ushort, int, uint, float or double");
+        return found->type;
+    }
+
+    /// An element of nothing takes no place, so nothing in the file could tell a lie about its count.
+    void finish_element() const {
+        if (header_.elements.empty() || !header_.elements.back().properties.empty()) return;
+        throw Error(Blame::input, "element " + quote(header_.elements.back().name) + " has no properties", path_);
+    }
+
+    [[noreturn]] void refuse(const std::string& expected) const {
+        throw Error(Blame::input, "found " + quote(std::string(line_.substr(0, 64))) + ", expected " + expected,
+                    path_ + ": line " + std::to_string(lines_.number()));
+    }
+
+    std::string_view bytes_;
+    TextLines lines_;
+    const std::string& path_;
+    std::string_view line_;
+    PlyHeader header_{};
+};
+
+}  // namespace
+
+int size_of(PlyType type) { return types[static_cast<size_t>(type)].size; }
+
+int64_t PlyElement::least_size(PlyFormat format) const {
+    if (format == PlyFormat::ascii) return least_bytes(static_cast<int64_t>(properties.size()));
+    int64_t size = 0;
+    for (const PlyProperty& property : properties) size += size_of(property.length_type.value_or(property.type));
+    return size;
+}
+
+PlyHeader read_ply_header(std::string_view bytes, const std::string& path) { return HeaderReader(bytes, path).read(); }
+
+}  // namespace gnomon

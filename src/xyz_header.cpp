@@ -1,0 +1,112 @@
+#include "xyz_header.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "error.h"
+#include "json_parse.h"
+#include "text_lines.h"
+
+namespace gnomon {
+
+namespace {
+
+constexpr std::string_view spaces = " \t\r";
+
+/// Takes a value off the front of key=value pairs: up to a space, or quoted.
+std::string take_value(std::string_view& rest) {
+    const bool quoted = !rest.empty() && rest.front() == '"';
+    std::string value;
+    size_t at = quoted ? 1 : 0;
+    for (; at < rest.size() && (quoted ? rest[at] != '"' : spaces.find(rest[at]) == spaces.npos); ++at) {
+        if (quoted && rest[at] == '\\' && at + 1 < rest.size()) ++at;
+        value += rest[at];
+    }
+    rest.remove_prefix(std::min(at + (quoted ? 1 : 0), rest.size()));
+    return value;
+}
+
+bool is_properties(std::string key) {
+    std::transform(key.begin(), key.end(), key.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return key == "properties";
+}
+
+/// The value of the key Properties among the pairs of a comment, which may as well be free text; empty without.
+std::string properties_of(std::string_view comment) {
+    while (true) {
+        comment.remove_prefix(std::min(comment.find_first_not_of(spaces), comment.size()));
+        if (comment.empty()) return "";
+        const size_t end = std::min(comment.find_first_of("= \t\r"), comment.size());
+        const std::string key(comment.substr(0, end));
+        const bool has_value = end < comment.size() && comment[end] == '=';
+        comment.remove_prefix(end + (has_value ? 1 : 0));
+        if (!has_value) continue;
+        const std::string value = take_value(comment);
+        if (is_properties(key)) return value;
+    }
+}
+
+std::string take_field(std::string_view& fields) {
+    const size_t end = std::min(fields.find(':'), fields.size());
+    const std::string field(fields.substr(0, end));
+    fields.remove_prefix(std::min(end + 1, fields.size()));
+    return field;
+}
+
+struct KnownColumns {
+    const char* name;
+    XyzUse use;
+    bool is_text;
+    int64_t words;
+};
+constexpr KnownColumns known_columns[] = {{"species", XyzUse::species, true, 1},
+                                          {"pos", XyzUse::position, false, 3},
+                                          {"radius", XyzUse::radius, false, 1},
+                                          {"color", XyzUse::color, false, 3}};
+
+/// The columns of this name, if they are numbers where numbers are meant, and as many.
+XyzColumns columns_of(const std::string& name, const std::string& type, int64_t words, const std::string& where) {
+    for (const KnownColumns& known : known_columns) {
+        if (name != known.name) continue;
+        const bool fits = known.is_text ? type == "S" : type == "R" || type == "I";
+        if (fits && words == known.words) return {known.use, words};
+        throw Error(Blame::input,
+                    "found " + quote(name + ":" + type + ":" + std::to_string(words)) + ", expected " +
+                        quote(name + (known.is_text ? ":S:" : ":R:") + std::to_string(known.words)),
+                    where);
+    }
+    return {XyzUse::skip, words};
+}
+
+std::vector<XyzColumns> parse_properties(const std::string& properties, const std::string& where) {
+    std::vector<XyzColumns> columns;
+    std::set<std::string> names;
+    std::string_view rest = properties;
+    while (!rest.empty()) {
+        const std::string name = take_field(rest), type = take_field(rest), words = take_field(rest);
+        int64_t count = 0;
+        const bool is_type = type == "S" || type == "R" || type == "I" || type == "L";
+        if (name.empty() || !is_type || !parse(words, count) || count < 1)
+            throw Error(Blame::input,
+                        "found " + quote(name + ":" + type + ":" + words) +
+                            " in Properties, expected a name, a type (S, R, I or L) and a count from 1",
+                        where);
+        if (!names.insert(name).second)
+            throw Error(Blame::input, "found " + quote(name) + " twice in Properties", where);
+        columns.push_back(columns_of(name, type, count, where));
+    }
+    if (names.count("pos") == 0) throw Error(Blame::input, "found no \"pos\" in Properties", where);
+    return columns;
+}
+
+}  // namespace
+
+std::vector<XyzColumns> read_xyz_columns(std::string_view comment, const std::string& where) {
+    const std::string properties = properties_of(comment);
+    if (properties.empty()) return {{XyzUse::species, 1}, {XyzUse::position, 3}};
+    return parse_properties(properties, where);
+}
+
+}  // namespace gnomon
