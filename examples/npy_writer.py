@@ -25,7 +25,7 @@ class NpyWriter:
     The header comes last, into room kept for it: a file that was cut short has none, and no reader takes it.
     """
 
-    HEADER_SIZE = 128  # a multiple of 64, as the format wants it; the text has at most 77 characters, for a count of 63 bits
+    HEADER_SIZE = 128  # a multiple of 64, as the format wants; its text has 77 characters at most, with a count of 2^63
 
     def __init__(self, path, columns):
         self.columns, self.numbers = columns, 0
@@ -62,13 +62,15 @@ class NpyWriter:
 
 
 def add_output_options(parser):
-    parser.add_argument("-o", "--output", metavar="SCENE.json", default="-", help="the scene (default: standard output)")
-    parser.add_argument("--npy", metavar="FILE.npy", help="the spheres, which the scene then names by a path relative to "
-                        f"its own. Default: they are in the scene; more than {INLINE_MAX} go to SCENE.npy if -o names it")
+    parser.add_argument("-o", "--output", metavar="SCENE.json", default="-",
+                        help="the scene (default: standard output)")
+    parser.add_argument("--npy", metavar="FILE.npy",
+                        help="the spheres, which the scene then names by a path relative to its own (default: they are "
+                        f"in the scene, but more than {INLINE_MAX} go to SCENE.npy if -o names the scene)")
 
 
 def parse_options(parser, count):
-    """The command line, with an npy that says where the spheres go: None for into the scene. count(options): of them."""
+    """The command line; its npy is None if the spheres, count(options) of them, are to be in the scene."""
     options = parser.parse_args()
     if options.npy is None and options.output != "-" and count(options) > INLINE_MAX:
         options.npy = os.path.splitext(options.output)[0] + ".npy"
@@ -80,7 +82,7 @@ def parse_options(parser, count):
 def write_scene(scene, rows, options, albedo=None):
     """Writes rows of 4 numbers, which all have this albedo, or of 7, after the spheres that the scene has already.
 
-    Returns the names of the files written. Whatever goes wrong with them ends the program.
+    Whatever goes wrong with the files ends the program.
     """
     try:
         spheres = scene["spheres"]

@@ -62,7 +62,7 @@ def sphereflake(depth, center=(0.0, 0.0, 0.0), radius=0.5, up=(0.0, 0.0, 1.0), l
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("depth", type=int, nargs="?", default=4, choices=range(10), metavar="depth",
-                        help="levels below the root, 0 to 9; each has nine times more spheres (default 4: 7381 spheres; "
+                        help="levels below the root, 0 to 9; each has nine times the spheres (default 4: 7381 spheres; "
                         "8: 48 million, 1.4 GB)")
     npy_writer.add_output_options(parser)
     options = npy_writer.parse_options(parser, lambda options: 9 ** (options.depth + 1) // 8)
