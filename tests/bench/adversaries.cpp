@@ -52,7 +52,7 @@ Scene on_ground(int64_t count) {
     return scene;
 }
 
-/// Radii spread evenly over nine orders of magnitude: 10^-9 u of the largest, whose cube's mean is 1 / (27 ln 10).
+/// Radii are the largest times 10^-9 to 10^0, evenly; of these powers' cubes the mean is 1 / (27 ln 10).
 Scene many_radii(int64_t count) {
     const double volume = 0.05 * 1e6, pi = std::acos(-1.0);
     const double most = std::cbrt(volume * 27 * std::log(10.0) / (static_cast<double>(count) * 4 / 3 * pi));
@@ -80,27 +80,28 @@ Scene diagonal(int64_t count) {
     });
 }
 
-Scene light_inside(int64_t count) {
-    Scene scene = empty_cube();
-    scene.lights.back() = point({0, 0, 0}, 20000);
+/// A cloud with room for what is at `position`.
+Scene around(const Vec3& position, int64_t count, const Scene& scene) {
+    Cloud cloud;
+    cloud.hole = position;
     return crowded(
-        count,
-        [&](Crowd& crowd, Random& random) {
-            add_cloud(crowd, {{}, 100, 0.05, true}, count, random);
-        },
-        scene);
+        count, [&](Crowd& crowd, Random& random) { add_cloud(crowd, cloud, count, random); }, scene);
 }
 
+Scene light_inside(int64_t count) {
+    const Vec3 position{25, 25, -40};  // where some of its light finds the way to the side that the camera sees
+    Scene scene = empty_cube();
+    scene.lights.back() = point(position, 20000);
+    return around(position, count, scene);
+}
+
+/// With a headlamp, since little light comes in from outside.
 Scene camera_inside(int64_t count) {
     Scene scene = empty_cube();
     scene.camera.eye = {0, 0, 0};
     scene.camera.at = {1, 1, 2};
-    return crowded(
-        count,
-        [&](Crowd& crowd, Random& random) {
-            add_cloud(crowd, {{}, 100, 0.05, true}, count, random);
-        },
-        scene);
+    scene.lights.back() = point({0, mean_radius({}, count) / 2, 0}, 2000);
+    return around(scene.camera.eye, count, scene);
 }
 
 /// Directions spread evenly over the sphere: heights evenly, turned by the golden angle each.

@@ -45,7 +45,7 @@ void add_cloud(Crowd& crowd, const Cloud& cloud, int64_t count, Random& random) 
     const Vec3 corner{half, half, half};
     for (const int64_t wanted = crowd.count() + count; crowd.count() < wanted;) {
         const Sphere sphere = random.sphere(cloud.center - corner, cloud.center + corner, 0.5 * r0, 1.5 * r0);
-        if (cloud.hollow && length(sphere.center - cloud.center) < 3 * r0) continue;
+        if (cloud.hole && length(sphere.center - *cloud.hole) < 3 * r0) continue;
         crowd.add(sphere);
     }
 }

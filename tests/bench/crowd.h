@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "random.h"
@@ -31,8 +32,8 @@ class Crowd {
 struct Cloud {
     gnomon::Vec3 center;
     double side = 100;
-    double fill = 0.05;   ///< the share of the cube that the volumes add up to
-    bool hollow = false;  ///< with room for an eye or a light at its centre
+    double fill = 0.05;                     ///< the share of the cube that the volumes add up to
+    std::optional<gnomon::Vec3> hole = {};  ///< where no sphere is near: an eye, a light
 };
 
 /// The mean radius of `count` spheres in the cloud; they go from a half to one and a half of it.

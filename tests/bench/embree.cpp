@@ -1,4 +1,4 @@
-// Embree the way it is fastest on these scenes: point spheres, coherent packets of 4 x 4 pixels from the eye's ray to
+// Embree the way it is fastest on these scenes: point spheres, packets of 4 x 4 pixels from the eye's ray to
 // the film without a buffer between, no shadow ray where a light is behind the surface, denormals flushed.
 #if GNOMON_EMBREE == 4
 #include <embree4/rtcore.h>
@@ -42,10 +42,10 @@ class FlushDenormals {
 struct Queries {
     RTCIntersectArguments closest;
     RTCOccludedArguments any;
-    Queries() {
+    explicit Queries(bool coherent) {
         rtcInitIntersectArguments(&closest);
         rtcInitOccludedArguments(&any);
-        closest.flags = any.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+        closest.flags = any.flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
     }
     void intersect(RTCScene s, const Mask& valid, RTCRayHit16& p) { rtcIntersect16(valid.v, s, &p, &closest); }
     void occluded(RTCScene s, const Mask& valid, RTCRay16& p) { rtcOccluded16(valid.v, s, &p, &any); }
@@ -53,9 +53,9 @@ struct Queries {
 #else
 struct Queries {
     RTCIntersectContext context;
-    Queries() {
+    explicit Queries(bool coherent) {
         rtcInitIntersectContext(&context);
-        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     }
     void intersect(RTCScene s, const Mask& valid, RTCRayHit16& p) { rtcIntersect16(valid.v, s, &context, &p); }
     void occluded(RTCScene s, const Mask& valid, RTCRay16& p) { rtcOccluded16(valid.v, s, &context, &p); }
@@ -75,7 +75,9 @@ class Embree : public Peer {
     Embree(const Embree&) = delete;
     Embree& operator=(const Embree&) = delete;
 
-    std::vector<std::string> modes() const override { return {"medium", "low"}; }
+    std::vector<std::string> modes() const override {
+        return {"medium coherent", "medium incoherent", "low coherent", "low incoherent"};
+    }
     void build(const std::string& mode) override;
     bool frame(Film& film, double limit) override { return render<false>(film, nullptr, limit); }
     bool picture(Film& film, Arrivals& arrivals, double limit) override {
@@ -98,6 +100,7 @@ class Embree : public Peer {
     std::vector<PeerLight> lights_;
     RTCDevice device_;
     RTCScene scene_ = nullptr;
+    bool coherent_ = true;
     Workers workers_;
 };
 
@@ -127,7 +130,8 @@ Embree::Embree(const Scene& scene, int threads)
 void Embree::build(const std::string& mode) {
     const FlushDenormals flush;
     if (scene_) rtcReleaseScene(scene_);
-    const RTCBuildQuality quality = mode == "low" ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM;
+    coherent_ = mode.find(" coherent") != std::string::npos;
+    const RTCBuildQuality quality = mode.rfind("low", 0) == 0 ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM;
     scene_ = rtcNewScene(device_);
     rtcSetSceneBuildQuality(scene_, quality);
     const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_SPHERE_POINT);
@@ -154,7 +158,7 @@ bool Embree::render(Film& film, Arrivals* arrivals, double limit) {
             return;
         }
         const FlushDenormals flush;
-        Queries queries;
+        Queries queries(coherent_);
         const int left = block % columns * block_width, top = block / columns * block_height;
         for (int j = top; j < std::min(top + block_height, film.height); j += packet_side)
             for (int i = left; i < std::min(left + block_width, film.width); i += packet_side)
@@ -183,7 +187,7 @@ void Embree::render_packet(int i, int j, Queries& queries, Film& film, Arrivals*
     Lanes3 sum{};
     for (int k = 0; k < packet_rays; ++k) {
         valid.v[k] = -1;
-        packet.hit.geomID[k] = packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+        packet.hit.geomID[k] = packet.hit.primID[k] = packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
     }
     aim(view_, i, j, packet.ray);
     queries.intersect(scene_, valid, packet);
@@ -204,16 +208,23 @@ void Embree::render_packet(int i, int j, Queries& queries, Film& film, Arrivals*
 
 template <bool Whole>
 void Embree::store(int i, int j, const Lanes3& light, const RTCHit16& hit, Film& film) const {
+    Lanes3 albedo;
     for (int k = 0; k < packet_rays; ++k) {
-        const int x = i + k % packet_side, y = j + k / packet_side;
-        if (x >= film.width || y >= film.height) continue;
-        const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(film.width) + static_cast<size_t>(x);
         const bool is_hit = hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
-        const float* albedo = &albedos_[is_hit ? albedo_stride_ * hit.primID[k] : 0];
-        film.radiance[0][pixel] = light.x[k] * albedo[0];
-        film.radiance[1][pixel] = light.y[k] * albedo[1];
-        film.radiance[2][pixel] = light.z[k] * albedo[2];
-        if (Whole) film.id[pixel] = is_hit ? static_cast<int32_t>(hit.primID[k]) : -1;
+        const float* rgb = &albedos_[is_hit ? albedo_stride_ * hit.primID[k] : 0];
+        albedo.x[k] = rgb[0], albedo.y[k] = rgb[1], albedo.z[k] = rgb[2];
+    }
+    const int columns = std::min(packet_side, film.width - i), rows = std::min(packet_side, film.height - j);
+    for (int row = 0; row < rows; ++row) {
+        const size_t first = static_cast<size_t>(j + row) * static_cast<size_t>(film.width) + static_cast<size_t>(i);
+        for (int column = 0; column < columns; ++column) {
+            const int k = row * packet_side + column;
+            const size_t pixel = first + static_cast<size_t>(column);
+            film.radiance[0][pixel] = light.x[k] * albedo.x[k];
+            film.radiance[1][pixel] = light.y[k] * albedo.y[k];
+            film.radiance[2][pixel] = light.z[k] * albedo.z[k];
+            if (Whole) film.id[pixel] = static_cast<int32_t>(hit.primID[k]);
+        }
     }
 }
 

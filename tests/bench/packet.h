@@ -101,9 +101,10 @@ void aim(const View& view, int i, int j, Ray& ray) {
 /// Where a closest-hit packet ended. Embree's normal of a sphere is as long as its radius.
 template <class RayHit>
 void land(const RayHit& packet, unsigned none, Surface& s) {
-    // The hit is off by a few roundings of the numbers that it was computed from: 2^-18 of a position, 2^-20 of a
-    // radius were the least that left no sphere shadowing itself.
-    constexpr float of_position = 1.0f / (1 << 18), of_radius = 1.0f / (1 << 20);
+    // Embree's hit is off by a few roundings of the numbers that it was computed from. These shares of them, each a
+    // power of two, are the least with which no sphere of S4, S100 and S1e4 shadows itself: half the share of the
+    // radius, or a quarter of the position's, gives it spots; twice as much, and twice as many pixels lose a shadow.
+    constexpr float of_position = 1.0f / (1 << 22), of_radius = 1.0f / (1 << 22);
     const auto& ray = packet.ray;
     for (int k = 0; k < packet_rays; ++k) {
         const bool hit = packet.hit.geomID[k] != none;

@@ -24,7 +24,7 @@ std::string share(double seconds, double of) { return fmt::format("{:.2f}", seco
 void line(const std::string& scene, const std::string& program, const std::string& total, const std::string& build,
           const std::string& trace, const std::string& over_own, const std::string& over_benign,
           const std::string& errors, const std::string& differences) {
-    fmt::print("{:13.13} {:20.20} {:>28} {:>10} {:>10} {:>8} {:>8} {:>27} {:>15}\n", scene, program, total, build,
+    fmt::print("{:13.13} {:31.31} {:>28} {:>10} {:>10} {:>8} {:>8} {:>27} {:>15}\n", scene, program, total, build,
                trace, over_own, over_benign, errors, differences);
 }
 
