@@ -16,6 +16,7 @@
 #include "scenes.h"
 #include "spawn.h"
 #include "table.h"
+#include "temporary_file.h"
 
 namespace {
 
@@ -33,6 +34,7 @@ struct Options {
 };
 
 void add_options(CLI::App& app, Options& o) {
+    app.get_formatter()->column_width(24);
     app.add_option("--device", o.device, "as gnomon's --device")->envname("GNOMON_DEVICE");
     app.add_option("--scene", o.scenes, "these scenes, or adversaries, by name")->delimiter(',')->type_name("NAME,...");
     app.add_option("--file", o.files, "these scene files")->type_name("SCENE.json")->expected(1, -1);
@@ -82,9 +84,9 @@ class Bench {
                    options_.measure.threads, device.number(), device.name, device.platform_name, device.driver, peer_);
     }
 
-    Json run() {
+    Json run(const std::vector<bench::NamedScene>& scenes) {
         bench::print_head();
-        for (const bench::NamedScene& named : chosen(options_)) show(named.name, named.about, named.make(), {});
+        for (const bench::NamedScene& named : scenes) show(named.name, named.about, named.make(), {});
         for (const std::string& path : options_.files) {
             const double start = now();
             const Scene scene = load_scene(path).scene;
@@ -128,8 +130,9 @@ class Bench {
 };
 
 Json run_here(Options& options) {
+    const std::vector<bench::NamedScene> scenes = chosen(options);
     const std::vector<DeviceInfo> devices = list_devices();
-    return Bench(choose_device(devices, options.device), options).run();
+    return Bench(choose_device(devices, options.device), options).run(scenes);
 }
 
 /// This program again, on so many cores: threads are made once in a process's life, so it must begin there. PoCL goes
@@ -152,13 +155,14 @@ int main(int argc, char** argv) try {
     Options options;
     add_options(app, options);
     CLI11_PARSE(app, argc, argv);
+    if (!options.json.empty()) check_folder(options.json);
     Json reports = Json::array();
     if (options.cores.empty() || options.pinned > 0) {
         reports.push_back(run_here(options));
     } else {
         for (const int cores : options.cores) reports.push_back(run_on(cores, {argv, argv + argc}));
     }
-    if (!options.json.empty()) test::write_file(options.json, reports.dump(2) + "\n");
+    if (!options.json.empty()) write_text(options.json, reports.dump(2) + "\n");
     return 0;
 } catch (const gnomon::Error& error) {
     fmt::print(stderr, "error: {}\n", error.what());
