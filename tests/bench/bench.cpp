@@ -79,6 +79,8 @@ class Bench {
         options_.measure.with_peer = !options.no_peer;
         peer_ = options.no_peer ? "none" : bench::peer_name();
         report_ = bench::circumstances(device, options_.measure.threads, peer_);
+        report_["runs"] = options_.measure.runs;
+        report_["limit_seconds"] = options_.measure.limit;
         report_["scenes"] = Json::array();
         fmt::print("{}, {}, {} cores; device {} {} ({}, {}); peer: {}\n", bench::date(), bench::cpu_name(),
                    options_.measure.threads, device.number(), device.name, device.platform_name, device.driver, peer_);

@@ -14,7 +14,7 @@ using namespace gnomon;
 namespace {
 
 // The check's own limits: so many pixels, and so many ray-sphere tests of the reference, 1 to 10 ns each.
-constexpr int64_t check_pixels = 1 << 13, check_tests = int64_t{1} << 28;
+constexpr int64_t check_pixels = 1 << 13, check_tests = int64_t{1} << 29;
 constexpr double long_try_seconds = 2;  // a try of one of the peer's modes
 
 template <class Work>
