@@ -33,17 +33,21 @@ struct Options {
     bench::Measure measure;
 };
 
-void add_options(CLI::App& app, Options& o) {
-    app.get_formatter()->column_width(24);
-    app.add_option("--device", o.device, "as gnomon's --device")->envname("GNOMON_DEVICE");
+void add_scene_options(CLI::App& app, Options& o) {
     app.add_option("--scene", o.scenes, "these scenes, or adversaries, by name")->delimiter(',')->type_name("NAME,...");
     app.add_option("--file", o.files, "these scene files")->type_name("SCENE.json")->expected(1, -1);
     app.add_flag("--adversaries", o.adversaries, "scenes made to be slow, beside a benign one of as many spheres");
     app.add_option("--count", o.count, "spheres of an adversary")->check(CLI::Range(int64_t{1000}, int64_t{1} << 30));
     app.add_flag("--process", o.process, "the whole program on S4 and S100");
+}
+
+void add_options(CLI::App& app, Options& o) {
+    app.get_formatter()->column_width(24);
+    app.add_option("--device", o.device, "as gnomon's --device")->envname("GNOMON_DEVICE");
+    add_scene_options(app, o);
     app.add_option("--cores", o.cores, "once on so many cores each")->delimiter(',')->type_name("N,...");
     app.add_option("--runs", o.measure.runs, "timed frames a scene at most")->check(CLI::PositiveNumber);
-    app.add_option("--limit", o.measure.limit, "seconds a scene's timed frames take at most, but for the first")
+    app.add_option("--limit", o.measure.limit, "seconds: fewer frames, or no peer, when they would take longer")
         ->check(CLI::PositiveNumber);
     app.add_option("--lanes", o.measure.options.lanes, "as gnomon's --lanes");
     app.add_option("--tile", o.measure.options.tile, "as gnomon's --tile");

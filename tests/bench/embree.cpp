@@ -177,6 +177,22 @@ void note(Arrivals& arrivals, const Film& film, int i, int j, size_t light, cons
     }
 }
 
+/// A packet that asks for the closest hits of all its rays.
+void clear(RTCHit16& hit, Mask& valid) {
+    for (int k = 0; k < packet_rays; ++k) {
+        valid.v[k] = -1;
+        hit.geomID[k] = hit.primID[k] = hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+    }
+}
+
+/// What arrives of one light, added to the sum. Embree has set tfar of an occluded ray to minus infinity.
+void add(const Float3& phi, const Mask& valid, const RTCRay16& shadow, Lanes& share, Lanes3& sum) {
+    for (int k = 0; k < packet_rays; ++k) {
+        share[k] = valid.v[k] != 0 && shadow.tfar[k] >= 0 ? share[k] : 0;
+        sum.x[k] += share[k] * phi.x, sum.y[k] += share[k] * phi.y, sum.z[k] += share[k] * phi.z;
+    }
+}
+
 template <bool Whole>
 void Embree::render_packet(int i, int j, Queries& queries, Film& film, Arrivals* arrivals) const {
     alignas(64) RTCRayHit16 packet;
@@ -185,22 +201,14 @@ void Embree::render_packet(int i, int j, Queries& queries, Film& film, Arrivals*
     Surface surface;
     Lanes share;
     Lanes3 sum{};
-    for (int k = 0; k < packet_rays; ++k) {
-        valid.v[k] = -1;
-        packet.hit.geomID[k] = packet.hit.primID[k] = packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
-    }
+    clear(packet.hit, valid);
     aim(view_, i, j, packet.ray);
     queries.intersect(scene_, valid, packet);
     land(packet, RTC_INVALID_GEOMETRY_ID, surface);
     for (size_t l = 0; l < lights_.size(); ++l) {
         if (!aim_at(lights_[l], surface, shadow, valid, share)) continue;
         queries.occluded(scene_, valid, shadow);
-        const Float3& phi = lights_[l].phi;
-        for (int k = 0; k < packet_rays; ++k) {
-            // Embree sets tfar of an occluded ray to minus infinity.
-            share[k] = valid.v[k] != 0 && shadow.tfar[k] >= 0 ? share[k] : 0;
-            sum.x[k] += share[k] * phi.x, sum.y[k] += share[k] * phi.y, sum.z[k] += share[k] * phi.z;
-        }
+        add(lights_[l].phi, valid, shadow, share, sum);
         if (Whole) note(*arrivals, film, i, j, l, share);
     }
     store<Whole>(i, j, sum, packet.hit, film);
