@@ -36,7 +36,7 @@ void DeviceMemory::expect(int64_t bytes) {
 void DeviceMemory::await_room(int64_t bytes) const {
     using namespace std::chrono_literals;
     constexpr auto moment = 20us;
-    constexpr int patience = 5000;  // a tenth of a second: after that it is not the driver that is late
+    constexpr int patience = 500;  // 10 ms: after that it is not the driver that is late
     for (int i = 0; i < patience && meter_->now + bytes > meter_->expected; ++i) std::this_thread::sleep_for(moment);
 }
 

@@ -30,13 +30,15 @@ std::string mebibytes(int64_t bytes) { return std::to_string((bytes + (1 << 20) 
 
 int64_t whole_peak(const MemoryNeeds& n) {
     const SphereFootprint& s = n.sphere;
-    return n.tiles_under_way * n.tile_rays * bytes_per_ray +
+    return n.other_bytes + n.tiles_under_way * n.tile_rays * (bytes_per_ray + n.film_bytes_per_ray) +
            std::max(s.building(n.spheres), s.rows(n.spheres) + s.clusters(n.spheres) + n.views * s.view(n.spheres));
 }
 
+int64_t bytes_per_cut_ray(const MemoryNeeds& n) { return bytes_per_ray + bytes_per_albedo + n.film_bytes_per_ray; }
+
 /// Rays that stay on the device while the chunks go by.
 int64_t tile_beside_chunks(const MemoryNeeds& n, const MemoryLimits& limits) {
-    const int64_t ray = bytes_per_ray + bytes_per_albedo;
+    const int64_t ray = bytes_per_cut_ray(n);
     const int64_t wanted = n.asked_tile_rays > 0 ? n.asked_tile_rays : limits.all / 4 / ray;
     const int64_t most = std::min({wanted, n.image_rays, max_tile_rays, limits.one_buffer / bytes_per_albedo});
     return std::max<int64_t>(most / BLOCK_RAYS, 1) * BLOCK_RAYS;
@@ -44,7 +46,7 @@ int64_t tile_beside_chunks(const MemoryNeeds& n, const MemoryLimits& limits) {
 
 [[noreturn]] void refuse(const MemoryNeeds& n, const MemoryLimits& limits, int64_t tile_rays) {
     const SphereFootprint& s = n.sphere;
-    const int64_t least = tile_rays * (bytes_per_ray + bytes_per_albedo) +
+    const int64_t least = n.other_bytes + tile_rays * bytes_per_cut_ray(n) +
                           std::max(s.building(least_chunk), s.clusters(least_chunk) + s.view(least_chunk));
     throw Error(Blame::run,
                 "the scene needs at least " + mebibytes(least) + " on the device, and " +
@@ -66,7 +68,7 @@ MemoryPlan plan_memory(const MemoryNeeds& n, const MemoryLimits& limits) {
     chunk.columns = 4;
     chunk.has_ids = true;
     const int64_t tile_rays = tile_beside_chunks(n, limits);
-    const int64_t rest = limits.all - tile_rays * (bytes_per_ray + bytes_per_albedo);
+    const int64_t rest = limits.all - n.other_bytes - tile_rays * bytes_per_cut_ray(n);
     // Rows that the device reads in the host's memory take memory all the same.
     const auto fits = [&](int64_t spheres, int64_t beside) {
         SphereFootprint counted = chunk;
@@ -79,7 +81,7 @@ MemoryPlan plan_memory(const MemoryNeeds& n, const MemoryLimits& limits) {
     const bool resident = beside_all * most_resident_chunks >= n.spheres && beside_all >= least_chunk;
     const int64_t size = resident ? beside_all : largest(n.spheres, [&](int64_t k) { return fits(k, 0); });
     if (size < std::min(least_chunk, n.spheres)) refuse(n, limits, tile_rays);
-    const int64_t peak = tile_rays * (bytes_per_ray + bytes_per_albedo) + (resident ? all_clusters : 0) +
+    const int64_t peak = n.other_bytes + tile_rays * bytes_per_cut_ray(n) + (resident ? all_clusters : 0) +
                          std::max(chunk.building(size), chunk.clusters(size) + chunk.view(size));
     return {true, size, resident, tile_rays, peak};
 }

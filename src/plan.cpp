@@ -196,6 +196,12 @@ MemoryPlan share_memory(const Plan& plan, const Scene& scene, const Survey& surv
     }
     needs.tiles_under_way = std::min<int64_t>(tile_sets, static_cast<int64_t>(plan.tiles.size()));
     needs.asked_tile_rays = options.tile;
+    needs.film_bytes_per_ray = plan.write_in_place ? 0 : 3 * 4;
+    // The counts of hits, one a work-group and 4 bytes, and a value for each buffer that a scene does not use.
+    constexpr int64_t unused = 1024;
+    needs.other_bytes =
+        4 * (needs.image_rays / (plan.rays_per_item() * plan.local_size) + static_cast<int64_t>(plan.tiles.size())) +
+        unused;
     const uint64_t allowed = options.memory > 0 ? std::min(limits.global_bytes, options.memory) : limits.global_bytes;
     return plan_memory(needs, {static_cast<int64_t>(allowed), static_cast<int64_t>(limits.max_alloc_bytes)});
 }
@@ -271,13 +277,13 @@ Plan make_plan(const Scene& scene, const Survey& survey, const RenderOptions& op
     plan.spheres = survey.count;
     plan.has_rests = !choose_frame(scene, survey).floats;
     plan.group_depth = group_depth(scene);
-    if (survey.count > 0) plan.memory = share_memory(plan, scene, survey, options, limits);
-    if (plan.memory.cut) plan.tiles = cut(scene.image, static_cast<int>(plan.memory.tile_rays));
-    plan.albedos_of_rays = plan.memory.cut && !survey.one_albedo;
     const uint64_t plane_bytes =
         static_cast<uint64_t>(scene.image.width) * static_cast<uint64_t>(scene.image.height) * 4;
     plan.write_in_place = limits.shares_memory && plane_bytes <= limits.max_alloc_bytes;
     plan.stream = plan.write_in_place && limits.cpu;
+    if (survey.count > 0) plan.memory = share_memory(plan, scene, survey, options, limits);
+    if (plan.memory.cut) plan.tiles = cut(scene.image, static_cast<int>(plan.memory.tile_rays));
+    plan.albedos_of_rays = plan.memory.cut && !survey.one_albedo;
     // A launch costs a CPU more than it does a GPU, and hits read twice cost more than registers.
     if (options.shadows) plan.shadows = limits.cpu && !plan.memory.cut ? Shadows::traced : Shadows::read;
     add_steps(plan, scene, options);

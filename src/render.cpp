@@ -128,11 +128,13 @@ struct Renderer::State {
         prepared.buffers.albedos = albedos_of(memory, prepared.rows, prepared.row_buffers);
         return prepared;
     }
+    /// With a cut: one sphere's row, for the albedo if all have the same.
     Prepared prepare_without_spheres(const Job& job, SphereKernels& kernels) {
-        Prepared prepared{sphere_rows(job.scene, job.frame, 0, 1), {}, {}};  // one, for the albedo if all have one
+        Prepared prepared{sphere_rows(job.scene, job.frame, 0, 1), {}, {}};
         prepared.row_buffers = upload(memory, prepared.rows);
         prepared.buffers = gnomon::prepare(kernels, job.scene, job.survey, job.frame, nullptr, job.plan);
         prepared.buffers.albedos = albedos_of(memory, prepared.rows, prepared.row_buffers);
+        prepared.buffers.albedos.stride = 0;
         return prepared;
     }
 
@@ -202,7 +204,7 @@ RenderStats Renderer::render(const Scene& scene, const RenderOptions& options, F
     const double planned_at = now();
     const std::vector<cl::Kernel> kernels = state_->build(plan, stats);
     stats.build_seconds = now() - planned_at;
-    state_->memory.expect(plan.memory.peak_bytes);
+    state_->memory.expect(plan.memory.cut ? plan.memory.peak_bytes : std::numeric_limits<int64_t>::max());
     state_->run({scene, spheres, frame, plan, options}, kernels, film, stats);
     stats.peak_bytes = state_->memory.peak();
     if (frame.unit != 1)

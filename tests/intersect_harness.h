@@ -29,10 +29,11 @@ inline Hits closest(Bench& bench, Width w, const Camera& camera, const PencilSph
     const GuardedSpheres in(bench, spheres);
     const GuardedBuffer<int> ids(bench, rays), counts(bench, std::vector<int>(first_group + groups, counted_before));
     bench.launch(
-        bench.programs.get({Kernel::intersect_closest, w.defines({spheres.levels > 0 ? "LEVELS=1" : "LEVELS=0", "CHUNKS=0"})})
+        bench.programs
+            .get({Kernel::intersect_closest, w.defines({spheres.levels > 0 ? "LEVELS=1" : "LEVELS=0", "CHUNKS=0"})})
             .kernel,
         items, dirs.buffer(), eye_basis(camera), in.clusters.buffer(), in.nodes.buffer(), spheres.levels, spheres.last,
-        items, ts.buffer(), normals.buffer(), ids.buffer(), first_group, counts.buffer());
+        1, items, ts.buffer(), normals.buffer(), ids.buffer(), first_group, counts.buffer());
     Hits hits{ts.read(), normals.read(), ids.read(), counts.read()};
     dirs.check_unchanged();
     in.check_unchanged();

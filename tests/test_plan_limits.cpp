@@ -89,46 +89,6 @@ TEST_CASE("tiles that cannot be are refused", "[plan]") {
     }
 }
 
-TEST_CASE("what does not fit the device is refused before it is tried, with sizes", "[plan]") {
-    // Centre and radius alone are 16 bytes a sphere.
-    const auto too_many = [](uint64_t bytes) { return static_cast<int64_t>(bytes / 16 + 1); };
-    DeviceLimits limits;
-    limits.max_alloc_bytes = uint64_t{16} << 20;
-    const auto try_spheres = [&](int64_t distinct) { make_plan(lit_sphere(), spheres(distinct), {}, limits); };
-    CHECK_NOTHROW(try_spheres(1000));
-    const std::string one_buffer = refusal(1, [&] { try_spheres(too_many(limits.max_alloc_bytes)); });
-    CHECK(contains(one_buffer, " MiB of it in one buffer"));
-    CHECK(contains(one_buffer, "the device offers "));
-    CHECK(contains(one_buffer, "a smaller --tile"));
-    limits.max_alloc_bytes = limits.global_bytes;
-    const std::string all = refusal(1, [&] { try_spheres(too_many(limits.global_bytes / 2)); });  // for eye and light
-    CHECK(contains(all, " MiB on the device"));
-    CHECK(contains(all, "more memory"));
-    limits = DeviceLimits();
-    limits.max_alloc_bytes = 1 << 20;
-    RenderOptions options;
-    options.tile = 1 << 20;
-    CHECK(contains(refusal(1, [&] { make_plan(lit_sphere(), spheres(1), options, limits); }),
-                   " MiB of it in one buffer"));
-    options.tile = 1 << 10;
-    CHECK_NOTHROW(make_plan(lit_sphere(), spheres(1), options, limits));
-}
-
-TEST_CASE("every buffer counts in what a plan needs", "[plan]") {
-    const auto bytes = [](int64_t distinct, const RenderOptions& options) {
-        return make_plan(lit_sphere(), spheres(distinct), options, {}).device_bytes;
-    };
-    RenderOptions shadowed, open;
-    open.shadows = false;
-    const uint64_t seen_by_eye = bytes(3200, open) - bytes(1600, open);
-    CHECK(seen_by_eye >= 1600 * 16);
-    CHECK(bytes(3200, shadowed) - bytes(1600, shadowed) > seen_by_eye + 1600 * 16);  // and by the light
-    open.tile = 64;
-    const uint64_t small = bytes(1, open);
-    open.tile = 128;
-    CHECK(bytes(1, open) - small == 64 * bytes_per_ray * tile_sets);
-}
-
 TEST_CASE("the film is written in place only where device and host share memory", "[plan]") {
     DeviceLimits limits;
     CHECK(make_plan(lit_sphere(), spheres(1), {}, limits).write_in_place);

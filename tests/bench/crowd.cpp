@@ -8,8 +8,6 @@ using namespace gnomon;
 
 namespace {
 
-// The renderer reads no tables yet: until it does, single spheres take their place.
-constexpr bool renderer_reads_tables = false;
 constexpr int64_t most_singles = 1000;
 constexpr double pi = 3.14159265358979323846;
 
@@ -26,7 +24,7 @@ void Crowd::add(const Sphere& s) {
 
 void Crowd::move_to(Scene& scene) {
     const SphereTable table{rows_, rows_->data(), count(), columns_, {0.55, 0.55, 0.55}};
-    if (renderer_reads_tables && table.count > most_singles) {
+    if (table.count > most_singles) {
         scene.tables.push_back(table);
     } else {
         for (int64_t row = 0; row < table.count; ++row) scene.spheres.push_back(table[row]);

@@ -1,0 +1,137 @@
+// Spheres that go through the device in chunks: which chunk each is in, and that no bit depends on it.
+#include <set>
+
+#include "crowds.h"
+#include "partition.h"
+
+using namespace gnomon;
+using namespace gnomon::test;
+
+namespace {
+
+/// All pixels see the crowd, lit by a sun and by lamps outside and inside.
+Scene lit(Crowd crowd, int count) {
+    Scene scene = scene_of(crowd, count);
+    scene.image = {96, 64};
+    scene.camera = {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 60};
+    scene.lights = {DirectionalLight{{1, 2, -1}, {1, 2, 3}}, PointLight{{10, 80, -100}, {1e5, 1e5, 1e5}},
+                    PointLight{{0, 0, 100}, {1e5, 2e5, 1e5}}};
+    Random random(9);
+    for (Sphere& s : scene.spheres) s.albedo = {random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
+    return scene;
+}
+
+/// The same spheres as a table of floats or of doubles.
+template <class Number>
+Scene with_table(Scene scene, int columns) {
+    auto rows = std::make_shared<std::vector<Number>>();
+    for (const Sphere& s : scene.spheres) {
+        const double numbers[] = {s.center.x, s.center.y, s.center.z, s.radius, s.albedo.r, s.albedo.g, s.albedo.b};
+        for (int i = 0; i < columns; ++i) rows->push_back(static_cast<Number>(numbers[i]));
+    }
+    scene.tables = {{rows, rows->data(), static_cast<int64_t>(scene.spheres.size()), columns, {0.5, 0.25, 0.75}}};
+    scene.spheres.clear();
+    return scene;
+}
+
+/// Bytes that leave room for a small part of the scene.
+constexpr uint64_t tight = 1100 << 10, roomy = 2 << 20;
+
+RenderStats render_within(Renderer& renderer, const Scene& scene, uint64_t memory, int tile, Film& film) {
+    RenderOptions options = all_outputs();
+    options.memory = memory;
+    options.tile = tile;
+    return renderer.render(scene, options, film);
+}
+
+void check_same_in_chunks(Renderer& renderer, const Scene& scene) {
+    const Film film = render(renderer, scene);
+    for (const uint64_t memory : {tight, roomy}) {
+        Film other;
+        const RenderStats stats = render_within(renderer, scene, memory, 2048, other);
+        INFO(memory << " bytes, " << stats.chunks << " chunks");
+        CHECK(stats.chunks > 1);
+        CHECK(same_bits(other, film));
+        CHECK(stats.planned_bytes <= static_cast<int64_t>(memory));
+        CHECK(stats.peak_bytes <= stats.planned_bytes);
+        CHECK(stats.peak_bytes > stats.planned_bytes / 4);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("chunks: each sphere is in one, coincident ones in the same, none is too large", "[chunks]") {
+    for (const Crowd crowd : crowds)
+        for (const int64_t capacity : {100, 1000, 100000}) {
+            INFO(to_string(crowd) << ", " << capacity);
+            Scene scene = scene_of(crowd, 20000);
+            if (crowd == Crowd::coincident && capacity < 20000 / 2) {  // a third is in each of three places
+                const Survey spheres = survey(scene);
+                CHECK(contains(refusal(1, [&] { cut_into_chunks(scene, spheres, choose_frame(scene, spheres), 5000); }),
+                               "--memory"));
+                continue;
+            }
+            const Survey spheres = survey(scene);
+            const Frame frame = choose_frame(scene, spheres);
+            const Partition cut = cut_into_chunks(scene, spheres, frame, capacity);
+            int64_t all = 0;
+            for (int chunk = 0; chunk < cut.chunks(); ++chunk) {
+                const SphereRows rows = rows_of_chunk(scene, frame, cut, chunk);
+                CHECK(rows.count <= capacity);
+                CHECK(std::is_sorted(rows.ids.begin(), rows.ids.end()));
+                int wrong = 0;
+                for (size_t i = 0; i < rows.ids.size(); ++i) {
+                    const auto id = static_cast<size_t>(rows.ids[i]);
+                    wrong += cut.chunk_of[id] != chunk;
+                    wrong += rows.rows[4 * i] != static_cast<float>(frame.place(scene.spheres[id].center).x);
+                    wrong += rows.rows[4 * i + 3] != static_cast<float>(scene.spheres[id].radius);
+                }
+                CHECK(wrong == 0);
+                all += rows.count;
+            }
+            CHECK(all == 20000);
+            if (crowd != Crowd::coincident) continue;
+            for (size_t id = 3; id < 20000; ++id) CHECK(cut.chunk_of[id] == cut.chunk_of[id % 3]);
+        }
+}
+
+TEST_CASE("chunks: no bit depends on them", "[chunks]") {
+    on_every_device([](Renderer& renderer) {
+        for (const Crowd crowd : crowds) {
+            if (crowd == Crowd::coincident) continue;
+            INFO(to_string(crowd));
+            const Scene scene = lit(crowd, 60000);
+            check_same_in_chunks(renderer, scene);
+            if (crowd != Crowd::shells) CHECK_FALSE(black(render(renderer, scene)));  // which hide all light
+        }
+    });
+}
+
+TEST_CASE("chunks: coincident spheres among others count as one", "[chunks]") {
+    on_every_device([](Renderer& renderer) {
+        Scene scene = lit(Crowd::strewn, 40000);
+        const std::vector<Sphere> twins(scene.spheres.begin(), scene.spheres.begin() + 20000);
+        scene.spheres.insert(scene.spheres.end(), twins.begin(), twins.end());
+        check_same_in_chunks(renderer, scene);
+        const Film film = render(renderer, scene);
+        CHECK(*std::max_element(film.id.begin(), film.id.end()) < 40000);
+    });
+}
+
+TEST_CASE("chunks: tables of all kinds, whole and cut", "[chunks]") {
+    on_every_device([](Renderer& renderer) {
+        const Scene scene = lit(Crowd::strewn, 60000);
+        check_same_in_chunks(renderer, with_table<float>(scene, 7));
+        check_same_in_chunks(renderer, with_table<float>(scene, 4));
+        check_same_in_chunks(renderer, with_table<double>(scene, 7));
+        check_same_in_chunks(renderer, with_table<double>(scene, 4));
+        // The same numbers, wherever they are kept.
+        CHECK(same_bits(render(renderer, with_table<double>(scene, 7)), render(renderer, scene)));
+        Scene halves = with_table<double>(scene, 7);
+        halves.spheres.assign(scene.spheres.begin(), scene.spheres.begin() + 1000);
+        SphereTable& table = halves.tables.front();
+        table.rows = std::get<const double*>(table.rows) + 7000;
+        table.count -= 1000;
+        CHECK(same_bits(render(renderer, halves), render(renderer, scene)));
+    });
+}
