@@ -1,4 +1,4 @@
-// Spheres that do not lie on the device all at once: chunk by chunk, as one pencil sees them.
+// Spheres as one pencil sees them at a time, chunk by chunk where they do not lie on the device all at once.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@ namespace gnomon {
 
 class ChunkedSpheres {
   public:
-    /// Cuts the scene as the plan says. The scene and the kernels must outlive this.
+    /// Cuts the scene if the plan says so, else all spheres are in `rows`. All of it must outlive this.
     ChunkedSpheres(const DeviceMemory& memory, SphereKernels& kernels, Launcher& launcher, const Scene& scene,
-                   const Survey& survey, const Frame& frame, const Plan& plan);
+                   const Survey& survey, const Frame& frame, const Plan& plan, const RowBuffers& rows);
 
-    int chunks() const { return partition_.chunks(); }
+    int chunks() const { return static_cast<int>(gathered_.size()); }
 
     /// One chunk as the eye (light < 0) or a light's pencil sees it; ready when this returns. What was seen before must
     /// be given back by then, for there is room for one.
@@ -33,8 +33,9 @@ class ChunkedSpheres {
     const Scene& scene_;
     const Survey& survey_;
     const Frame& frame_;
-    bool resident_;
-    Partition partition_;
+    const RowBuffers& rows_;
+    bool cut_, resident_;
+    Partition partition_;                   // if the scene is cut
     std::vector<ClusterBuffers> gathered_;  // of each chunk, if they stay
 };
 

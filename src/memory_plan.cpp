@@ -28,10 +28,18 @@ int64_t largest(int64_t high, Allowed allowed) {
 
 std::string mebibytes(int64_t bytes) { return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB"; }
 
+/// With all pencils' views.
 int64_t whole_peak(const MemoryNeeds& n) {
     const SphereFootprint& s = n.sphere;
     return n.other_bytes + n.tiles_under_way * n.tile_rays * (bytes_per_ray + n.film_bytes_per_ray) +
            std::max(s.building(n.spheres), s.rows(n.spheres) + s.clusters(n.spheres) + n.views * s.view(n.spheres));
+}
+
+/// With one at a time.
+int64_t one_view_peak(const MemoryNeeds& n, int64_t tile_rays) {
+    const SphereFootprint& s = n.sphere;
+    return n.other_bytes + tile_rays * (bytes_per_ray + n.film_bytes_per_ray) +
+           std::max(s.building(n.spheres), s.rows(n.spheres) + s.clusters(n.spheres) + s.view(n.spheres));
 }
 
 int64_t bytes_per_cut_ray(const MemoryNeeds& n) { return bytes_per_ray + bytes_per_albedo + n.film_bytes_per_ray; }
@@ -60,14 +68,17 @@ int64_t tile_beside_chunks(const MemoryNeeds& n, const MemoryLimits& limits) {
 
 MemoryPlan plan_memory(const MemoryNeeds& n, const MemoryLimits& limits) {
     const SphereFootprint& s = n.sphere;
-    const int64_t whole = whole_peak(n);
-    if (whole <= limits.all && s.largest_buffer(n.spheres) <= limits.one_buffer &&
-        n.tile_rays * bytes_per_albedo <= limits.one_buffer)
-        return {false, n.spheres, true, n.tile_rays, whole};
+    const bool one_buffer_holds =
+        s.largest_buffer(n.spheres) <= limits.one_buffer && n.tile_rays * bytes_per_albedo <= limits.one_buffer;
+    const int64_t tile_rays = tile_beside_chunks(n, limits);
+    const int64_t whole = whole_peak(n), one_view = one_view_peak(n, tile_rays);
+    if (one_buffer_holds && std::min(whole, one_view) <= limits.all) {
+        if (whole <= one_view) return {false, false, n.spheres, true, n.tile_rays, whole};
+        return {true, false, n.spheres, true, tile_rays, one_view};
+    }
     SphereFootprint chunk = s;
     chunk.columns = 4;
     chunk.has_ids = true;
-    const int64_t tile_rays = tile_beside_chunks(n, limits);
     const int64_t rest = limits.all - n.other_bytes - tile_rays * bytes_per_cut_ray(n);
     // Rows that the device reads in the host's memory take memory all the same.
     const auto fits = [&](int64_t spheres, int64_t beside) {
@@ -83,7 +94,7 @@ MemoryPlan plan_memory(const MemoryNeeds& n, const MemoryLimits& limits) {
     if (size < std::min(least_chunk, n.spheres)) refuse(n, limits, tile_rays);
     const int64_t peak = n.other_bytes + tile_rays * bytes_per_cut_ray(n) + (resident ? all_clusters : 0) +
                          std::max(chunk.building(size), chunk.clusters(size) + chunk.view(size));
-    return {true, size, resident, tile_rays, peak};
+    return {true, true, size, resident, tile_rays, peak};
 }
 
 }  // namespace gnomon

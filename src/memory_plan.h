@@ -24,11 +24,12 @@ struct MemoryNeeds {
     int64_t other_bytes = 0;         ///< whatever else there is
 };
 
-/// Either the whole scene lies on the device as all pencils see it, and tiles go through one after the other; or it is
-/// cut into chunks, of which one at a time is seen by one pencil, and a tile, as large as can be, stays for all of
-/// them.
+/// Either the scene lies on the device as all pencils see it, and small tiles go through one after the other; or one
+/// pencil sees it at a time (by_view), and a tile, as large as can be, stays for all of them: that takes less memory
+/// when spheres are many more than rays, or pencils are many. Where the scene does not fit it is cut into chunks
+/// besides, and one of them is seen by one pencil at a time.
 struct MemoryPlan {
-    bool cut = false;
+    bool by_view = false, cut = false;
     int64_t chunk_spheres = 0;  ///< the most in a chunk
     bool resident = true;       ///< chunks stay in order; else they are put in order again for each pencil
     int64_t tile_rays = 0;

@@ -284,7 +284,7 @@ Plan make_plan(const Scene& scene, const Survey& survey, const RenderOptions& op
     plan.write_in_place = limits.shares_memory && plane_bytes <= limits.max_alloc_bytes;
     plan.stream = plan.write_in_place && limits.cpu;
     if (survey.count > 0) plan.memory = share_memory(plan, scene, survey, options, limits);
-    if (plan.memory.cut) plan.tiles = cut(scene.image, static_cast<int>(plan.memory.tile_rays));
+    if (plan.memory.by_view) plan.tiles = cut(scene.image, static_cast<int>(plan.memory.tile_rays));
     plan.albedos_of_rays = plan.memory.cut && !survey.one_albedo;
     // A launch costs a CPU more than it does a GPU, and hits read twice cost more than registers.
     if (options.shadows) plan.shadows = limits.cpu && !plan.memory.cut ? Shadows::traced : Shadows::read;

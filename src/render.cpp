@@ -80,11 +80,11 @@ struct Job {
     const RenderOptions& options;
 };
 
-/// The scene on the device, and what it lies in.
+/// The spheres' rows on the device, and what they lie in.
 struct Prepared {
     SphereRows rows;
     RowBuffers row_buffers;
-    SceneBuffers buffers;
+    AlbedoBuffer albedos;
 };
 
 }  // namespace
@@ -119,22 +119,12 @@ struct Renderer::State {
         return kernels;
     }
 
-    /// Without a cut: the scene on the device as all pencils see it.
-    Prepared prepare(const Job& job, SphereKernels& kernels) {
-        Prepared prepared{sphere_rows(job.scene, job.frame, 0, job.survey.count), {}, {}};
+    /// The spheres' rows, or just one, for the albedo if all have the same, where the scene is cut.
+    Prepared upload_rows(const Job& job) {
+        Prepared prepared{sphere_rows(job.scene, job.frame, 0, job.plan.memory.cut ? 1 : job.survey.count), {}, {}};
         prepared.row_buffers = upload(memory, prepared.rows);
-        const ClusterBuffers clusters = kernels.gather(prepared.row_buffers, job.survey, job.frame);
-        prepared.buffers = gnomon::prepare(kernels, job.scene, job.survey, job.frame, &clusters, job.plan);
-        prepared.buffers.albedos = albedos_of(memory, prepared.rows, prepared.row_buffers);
-        return prepared;
-    }
-    /// With a cut: one sphere's row, for the albedo if all have the same.
-    Prepared prepare_without_spheres(const Job& job, SphereKernels& kernels) {
-        Prepared prepared{sphere_rows(job.scene, job.frame, 0, 1), {}, {}};
-        prepared.row_buffers = upload(memory, prepared.rows);
-        prepared.buffers = gnomon::prepare(kernels, job.scene, job.survey, job.frame, nullptr, job.plan);
-        prepared.buffers.albedos = albedos_of(memory, prepared.rows, prepared.row_buffers);
-        prepared.buffers.albedos.stride = 0;
+        prepared.albedos = albedos_of(memory, prepared.rows, prepared.row_buffers);
+        if (job.plan.memory.cut) prepared.albedos.stride = 0;
         return prepared;
     }
 
@@ -152,14 +142,20 @@ struct Renderer::State {
         const double start = now();
         Launcher launcher(queue, programs);
         SphereKernels sphere_kernels(memory, launcher, job.plan);
+        const Prepared prepared = upload_rows(job);
         std::optional<ChunkedSpheres> chunks;
-        if (job.plan.memory.cut)
-            chunks.emplace(memory, sphere_kernels, launcher, job.scene, job.survey, job.frame, job.plan);
-        const Prepared prepared = chunks ? prepare_without_spheres(job, sphere_kernels) : prepare(job, sphere_kernels);
+        std::optional<ClusterBuffers> spheres;
+        if (job.plan.memory.by_view)
+            chunks.emplace(memory, sphere_kernels, launcher, job.scene, job.survey, job.frame, job.plan,
+                           prepared.row_buffers);
+        else
+            spheres = sphere_kernels.gather(prepared.row_buffers, job.survey, job.frame);
+        SceneBuffers buffers =
+            gnomon::prepare(sphere_kernels, job.scene, job.survey, job.frame, spheres ? &*spheres : nullptr, job.plan);
+        buffers.albedos = prepared.albedos;
         launcher.finish();
         const double prepared_at = now();
-        Scheduler scheduler(context, queue, memory, job.plan, prepared.buffers, tiles.get(memory, job.plan), kernels,
-                            film);
+        Scheduler scheduler(context, queue, memory, job.plan, buffers, tiles.get(memory, job.plan), kernels, film);
         if (chunks) scheduler.take_spheres_from(*chunks);
         measured(job.plan, scheduler.run(job.options.progress), stats);
         add(job.plan, launcher.take_launched(), stats);

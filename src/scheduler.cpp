@@ -11,7 +11,10 @@ namespace {
 // and memory for events stay bounded.
 constexpr size_t tiles_ahead = 8;
 
-bool meets_spheres(Kernel kernel) { return kernel == Kernel::intersect_closest || kernel == Kernel::intersect_shadow; }
+bool meets_spheres(Kernel kernel, const Plan& plan) {
+    return kernel == Kernel::intersect_closest || kernel == Kernel::intersect_shadow ||
+           (kernel == Kernel::shade_light && plan.shadows == Shadows::traced);
+}
 
 }  // namespace
 
@@ -60,7 +63,7 @@ void Scheduler::enqueue(size_t index) {
     Slot& slot = slots_[index % slots_.size()];
     slot.first_group = first_groups_[index];
     for (const Step& step : plan_.steps) {
-        if (chunks_ && meets_spheres(step.kernel))
+        if (chunks_ && meets_spheres(step.kernel, plan_))
             launch_chunks(index, step, slot);
         else
             launch(index, {step, tile, slot.buffers, slot.first_group, &resident_spheres(step)}, slot);

@@ -34,27 +34,46 @@ int64_t peak(const MemoryNeeds& needs, const MemoryPlan& plan) {
 
 TEST_CASE("memory: what fits is not cut, and every buffer counts", "[memory]") {
     const MemoryLimits limits{1024 * MiB, 512 * MiB};
-    const MemoryNeeds needs = needs_of(1000000);
+    constexpr int64_t spheres = 500000;
+    const MemoryNeeds needs = needs_of(spheres);
     const MemoryPlan plan = plan_memory(needs, limits);
     CHECK_FALSE(plan.cut);
+    CHECK_FALSE(plan.by_view);
     CHECK(plan.chunk_spheres == needs.spheres);
     CHECK(plan.tile_rays == needs.tile_rays);
     // 28 bytes a sphere and view, nodes besides; 20 in order; 48 a ray in two tiles.
-    const int64_t least = needs.spheres * (3 * 28 + 20) + 2 * needs.tile_rays * 48;
+    const int64_t least = spheres * (3 * 28 + 20) + 2 * needs.tile_rays * 48;
     CHECK(plan.peak_bytes >= least);
-    CHECK(plan.peak_bytes < least + needs.spheres * 3 * 2 + MiB);
-    CHECK(plan_memory(needs_of(1000000, 4), limits).peak_bytes > plan.peak_bytes + 28 * 1000000);
+    CHECK(plan.peak_bytes < least + spheres * 3 * 2 + MiB);
+    CHECK(plan_memory(needs_of(spheres, 4), limits).peak_bytes > plan.peak_bytes + 28 * spheres);
     MemoryNeeds copied = needs;
     copied.sphere.copies_rows = true;
-    CHECK(plan_memory(copied, limits).peak_bytes == plan.peak_bytes + 16 * 1000000);
+    CHECK(plan_memory(copied, limits).peak_bytes == plan.peak_bytes + 16 * spheres);
     copied.sphere.columns = 7;
-    CHECK(plan_memory(copied, limits).peak_bytes == plan.peak_bytes + 28 * 1000000);
+    CHECK(plan_memory(copied, limits).peak_bytes == plan.peak_bytes + 28 * spheres);
     MemoryNeeds faces = needs;
     faces.sphere.faces = 6;
     CHECK(plan_memory(faces, limits).peak_bytes > plan.peak_bytes);
     MemoryNeeds rests = needs;
     rests.sphere.has_rests = true;
-    CHECK(plan_memory(rests, limits).peak_bytes == plan.peak_bytes + 16 * 1000000);
+    CHECK(plan_memory(rests, limits).peak_bytes == plan.peak_bytes + 16 * spheres);
+    MemoryNeeds film = needs;
+    film.film_bytes_per_ray = 12;
+    film.other_bytes = 1000;
+    CHECK(plan_memory(film, limits).peak_bytes == plan.peak_bytes + 2 * needs.tile_rays * 12 + 1000);
+}
+
+TEST_CASE("memory: one view at a time where that takes less", "[memory]") {
+    const MemoryLimits limits{4096 * MiB, 2048 * MiB};
+    const MemoryNeeds many = needs_of(10000000), lights = needs_of(1000000, 65);
+    for (const MemoryNeeds& needs : {many, lights}) {
+        const MemoryPlan plan = plan_memory(needs, limits);
+        CHECK((plan.by_view && !plan.cut));
+        CHECK(plan.tile_rays == needs.image_rays);
+        const int64_t least = needs.spheres * (28 + 20) + needs.image_rays * 48;
+        CHECK(plan.peak_bytes >= least);
+        CHECK(plan.peak_bytes < least + needs.spheres * 2 + MiB);
+    }
 }
 
 TEST_CASE("memory: what does not fit is cut into chunks that do", "[memory]") {
