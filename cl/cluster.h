@@ -26,4 +26,11 @@ static inline int lowest_bit(int mask) { return 31 - clz(mask & -mask); }
 static inline floatw lanes_at(global const float* values, int first) { return *(global const floatw*)(values + first); }
 static inline intw ids_at(global const int* values, int first) { return *(global const intw*)(values + first); }
 
+// The places that hold a sphere, as bits.
+static inline int filled(global const PencilCluster* c) {
+    int places = 0;
+    for (int first = 0; first < CLUSTER; first += LANES) places |= lane_bits(ids_at(c->id, first) >= 0) << first;
+    return places;
+}
+
 #endif

@@ -25,6 +25,9 @@ static inline Float3 side(Float3 across, Float3 axis, float x, float sign) {
 // `open` says which of the rays count. Where one is not on the axis's side the rectangle is the whole plane, the
 // normals are NaN, and everything is kept.
 static inline FatRay fat_ray(const vec3w* dir, const intw* open, Basis basis) {
+#if WALK == WALK_SPHERES
+    return (FatRay){0};  // nobody looks at it
+#else
     floatw x0 = wide(INFINITY), x1 = -x0, y0 = x0, y1 = -x0, ahead = x0;
     FOR_PACKETS(k) {
         const floatw along = dot_f(basis.axis, dir[k]), scale = wide(1.0f) / along;
@@ -47,11 +50,15 @@ static inline FatRay fat_ray(const vec3w* dir, const intw* open, Basis basis) {
     fat.plane[2] = side(basis.v, basis.axis, fat.y0, -1.0f);
     fat.plane[3] = side(basis.v, basis.axis, fat.y1, 1.0f);
     return fat;
+#endif
 }
 
 // Which spheres of a cluster the fat ray may meet, as bits: those that it cannot be shown to miss, so that NaN keeps
 // them.
 static inline int candidates(FatRay fat, global const PencilCluster* c) {
+#if WALK == WALK_SPHERES
+    return filled(c);
+#endif
     int kept = 0;
     for (int first = 0; first < CLUSTER; first += LANES) {
         const vec3w f = {lanes_at(c->x, first), lanes_at(c->y, first), lanes_at(c->z, first)};

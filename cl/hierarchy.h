@@ -7,14 +7,15 @@
 #include "cluster.h"
 
 // Spheres as one pencil sees them: clusters, and `levels` levels of nodes over them, the last node being the root. Few
-// clusters are visited one after the other (-D LEVELS=0, else 1): there are no nodes, and `last` is the last cluster.
+// clusters are visited one after the other (-D WALK=WALK_CLUSTERS or WALK_SPHERES, else WALK_NODES): there are no
+// nodes, and `last` is the last cluster.
 typedef struct {
     global const PencilCluster* clusters;
     global const Node* nodes;
     int levels, last;
 } Hierarchy;
 
-#if LEVELS == 0
+#if WALK != WALK_NODES
 
 typedef struct {
     int next;

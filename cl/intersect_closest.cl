@@ -82,7 +82,7 @@ kernel void intersect_closest(global const float* restrict dirs, const Basis bas
             const PencilSphere s = sphere_of(clusters + c, lowest_bit(rest));
             FOR_PACKETS(k) closer |= intersect(s, dir[k], &hit[k]);
         }
-#if LEVELS > 0
+#if WALK == WALK_NODES
         if (!closer) continue;
         traversal.farthest = farthest_hit(hit, valid);
         fat.distance = traversal.farthest;

@@ -53,6 +53,9 @@ static inline int face_of(LightPencil light, const ShadowRay* ray, const intw* o
 
 // `open` says which of the rays count.
 static inline FatShadowRay fat_shadow_ray(LightPencil light, int face, const ShadowRay* ray, const intw* open) {
+#if WALK == WALK_SPHERES
+    return (FatShadowRay){0};  // nobody looks at it
+#endif
     floatw x0 = wide(INFINITY), x1 = -x0, y0 = x0, y1 = -x0, back = x0;
     FOR_PACKETS(k) {
         const vec3w from = ray[k].from;
@@ -68,6 +71,9 @@ static inline FatShadowRay fat_shadow_ray(LightPencil light, int face, const Sha
 
 // Which spheres of a cluster may occlude one of the rays, as bits: see reach.h.
 static inline int shadow_candidates(FatShadowRay fat, global const PencilCluster* c) {
+#if WALK == WALK_SPHERES
+    return filled(c);
+#endif
     int kept = 0;
     for (int first = 0; first < CLUSTER; first += LANES) {
         const floatw x = lanes_at(c->x, first), y = lanes_at(c->y, first), z = lanes_at(c->z, first);

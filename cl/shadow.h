@@ -85,7 +85,7 @@ static inline void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil lig
         t[k] = load_f(hits.ts, item, k);
         ray[k] = shadow_ray(light, scale_w(t[k], load_3(hits.dirs, item, k)));
     }
-#if LEVELS == 0
+#if WALK != WALK_NODES
     if (any_open(left)) trace_group(hierarchy, light, ray, id, left, share);
 #else
     while (any_open(left)) {

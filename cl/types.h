@@ -12,6 +12,12 @@
 #define LIGHT_DIRECTIONAL 0
 #define LIGHT_POINT 1
 
+// How rays meet the spheres: all of them, one by one; those of each cluster that their fat ray (fat_ray.h) may meet;
+// those of each cluster that the nodes above it do not rule out.
+#define WALK_SPHERES 0
+#define WALK_CLUSTERS 1
+#define WALK_NODES 2
+
 // Where shade_light has its shadows from.
 #define SHADOWS_OFF 0
 #define SHADOWS_READ 1

@@ -9,6 +9,10 @@ namespace gnomon {
 /// Up to so many spheres the clusters are visited one after the other: no sorting, no nodes.
 constexpr int64_t flat_spheres = 256;
 
+/// Up to so many spheres every ray is tested against all: to pass over some costs a block as much as testing four or
+/// so, and few are far from most blocks.
+constexpr int64_t few_spheres = 6;
+
 struct HierarchyShape {
     int64_t spheres = 0;
     int clusters = 0;  ///< of 16 spheres

@@ -74,7 +74,7 @@ class Chain {
     }
     /// For a kernel that meets the spheres.
     void add_tracing(Step step, std::vector<std::string> defines) {
-        defines.push_back(plan_.flat() ? "LEVELS=0" : "LEVELS=1");
+        defines.push_back("WALK=" + plan_.walk());
         if (step.kernel == Kernel::shade_light)
             defines.push_back(plan_.albedos_of_rays ? "ALBEDOS_OF_RAYS=1" : "ALBEDOS_OF_RAYS=0");
         else
@@ -257,6 +257,11 @@ int Plan::items(Kernel kernel, const Tile& tile) const {
 }
 
 bool Plan::flat() const { return spheres <= flat_spheres && !memory.cut; }
+
+std::string Plan::walk() const {
+    if (!flat()) return "WALK_NODES";
+    return spheres > few_spheres ? "WALK_CLUSTERS" : "WALK_SPHERES";
+}
 
 int Plan::slices(int64_t pairs) const {
     constexpr int64_t least = 4 * DIGITS;  // fewer than its counts are not worth a slice

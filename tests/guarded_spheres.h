@@ -13,6 +13,7 @@ struct PencilSpheres {
     std::vector<PencilCluster> clusters;
     std::vector<Node> nodes;  ///< of all its faces
     int levels = 0, last = 0;
+    std::string walk = "WALK_NODES";  ///< cl/types.h
 };
 
 template <class T>
@@ -47,7 +48,7 @@ class DeviceSpheres {
         const HierarchyShape& shape = buffers.shape;
         return {read_back<PencilCluster>(bench_, seen.clusters, static_cast<size_t>(shape.clusters)),
                 read_back<Node>(bench_, seen.nodes, view.faces.size() * static_cast<size_t>(shape.all_nodes())),
-                seen.levels, seen.last};
+                seen.levels, seen.last, seen.levels > 0 ? "WALK_NODES" : "WALK_CLUSTERS"};
     }
     std::vector<Cluster> clusters() const {
         return read_back<Cluster>(bench_, buffers.clusters, static_cast<size_t>(buffers.shape.clusters));
@@ -83,19 +84,11 @@ struct GuardedSpheres {
     }
 };
 
-/// The same with everything within reach of every ray: brute force, by the same kernels.
-inline PencilSpheres within_reach(PencilSpheres spheres) {
-    for (PencilCluster& c : spheres.clusters)
-        for (int i = 0; i < CLUSTER; ++i)
-            if (c.id[i] >= 0) c.reach[i] = INFINITY;
-    const auto fill = [](float* values, float value) { std::fill(values, values + CLUSTER, value); };
-    for (Node& n : spheres.nodes) {
-        fill(n.x0, -INFINITY);
-        fill(n.x1, INFINITY);
-        fill(n.y0, -INFINITY);
-        fill(n.y1, INFINITY);
-        fill(n.depth, NAN);  // neither too far nor behind
-    }
+/// By brute force: every ray against every sphere, without bounds and nodes.
+inline PencilSpheres brute(PencilSpheres spheres) {
+    spheres.levels = 0;
+    spheres.last = static_cast<int>(spheres.clusters.size()) - 1;
+    spheres.walk = "WALK_SPHERES";
     return spheres;
 }
 

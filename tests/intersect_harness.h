@@ -29,11 +29,9 @@ inline Hits closest(Bench& bench, Width w, const Camera& camera, const PencilSph
     const GuardedSpheres in(bench, spheres);
     const GuardedBuffer<int> ids(bench, rays), counts(bench, std::vector<int>(first_group + groups, counted_before));
     bench.launch(
-        bench.programs
-            .get({Kernel::intersect_closest, w.defines({spheres.levels > 0 ? "LEVELS=1" : "LEVELS=0", "CHUNKS=0"})})
-            .kernel,
-        items, dirs.buffer(), eye_basis(camera), in.clusters.buffer(), in.nodes.buffer(), spheres.levels, spheres.last,
-        1, items, ts.buffer(), normals.buffer(), ids.buffer(), first_group, counts.buffer());
+        bench.programs.get({Kernel::intersect_closest, w.defines({"WALK=" + spheres.walk, "CHUNKS=0"})}).kernel, items,
+        dirs.buffer(), eye_basis(camera), in.clusters.buffer(), in.nodes.buffer(), spheres.levels, spheres.last, 1,
+        items, ts.buffer(), normals.buffer(), ids.buffer(), first_group, counts.buffer());
     Hits hits{ts.read(), normals.read(), ids.read(), counts.read()};
     dirs.check_unchanged();
     in.check_unchanged();
@@ -48,7 +46,7 @@ inline Hits closest(Bench& bench, Width w, const Camera& camera, const PencilSph
 inline Hits closest(Bench& bench, const Scene& scene, const std::vector<Float3>& rays) {
     const PencilSpheres spheres = seen_from_eye(bench, scene);
     const std::vector<float> dirs = packed(rays);
-    const Hits hits = closest(bench, widths[0], scene.camera, within_reach(spheres), dirs);
+    const Hits hits = closest(bench, widths[0], scene.camera, brute(spheres), dirs);
     for (const Width& w : widths) {
         INFO(w);
         CHECK(same_bits(closest(bench, w, scene.camera, spheres, dirs), hits));

@@ -46,8 +46,6 @@ struct LightSetup {
     float group_depth;  ///< receivers that are traced together
     Float3 phi;
     std::string define;
-
-    std::string levels() const { return spheres.levels > 0 ? "LEVELS=1" : "LEVELS=0"; }
 };
 inline LightSetup set_up(Bench& bench, const Scene& scene, const Light& light) {
     constexpr float group_depth = 1.1f;
@@ -63,7 +61,7 @@ inline LightSetup set_up(Bench& bench, const Scene& scene, const Light& light) {
 }
 /// The same by brute force, all receivers of a work-item together.
 inline LightSetup brute(LightSetup light) {
-    light.spheres = within_reach(light.spheres);
+    light.spheres = brute(light.spheres);
     light.group_depth = INFINITY;
     return light;
 }
@@ -96,7 +94,9 @@ inline std::vector<float> arrival(Bench& bench, Width w, const Receivers& hits, 
     const GuardedBuffer<float> result(bench, hits.size());
     const int items = static_cast<int>(hits.size()) / w.rays();
     const cl::Kernel kernel =
-        bench.programs.get({Kernel::intersect_shadow, w.defines({light.define, light.levels(), "CHUNKS=0"})}).kernel;
+        bench.programs
+            .get({Kernel::intersect_shadow, w.defines({light.define, "WALK=" + light.spheres.walk, "CHUNKS=0"})})
+            .kernel;
     std::visit(
         [&](const auto& pencil) {
             bench.launch(kernel, items, in.dirs.buffer(), in.ts.buffer(), in.normals.buffer(), in.ids.buffer(),
@@ -140,7 +140,8 @@ inline std::vector<float> shade(Bench& bench, Width w, const Scene& scene, const
     const GuardedBuffer<float> arriving(bench, shading.arrival.empty() ? sentinels<float>(1) : shading.arrival);
     const GuardedBuffer<float> radiance(bench, shading.radiance);
     const int items = static_cast<int>(hits.size()) / w.rays(), first = shading.first ? 1 : 0;
-    const Variant variant{Kernel::shade_light, w.defines({light.define, "SHADOWS=" + shading.shadows, light.levels(), "ALBEDOS_OF_RAYS=0"})};
+    const Variant variant{Kernel::shade_light, w.defines({light.define, "SHADOWS=" + shading.shadows,
+                                                          "WALK=" + light.spheres.walk, "ALBEDOS_OF_RAYS=0"})};
     std::visit(
         [&](const auto& pencil) {
             bench.launch(bench.programs.get(variant).kernel, items, in.dirs.buffer(), in.ts.buffer(),
