@@ -6,12 +6,13 @@
 #include <memory>
 #include <vector>
 
+#include "block_pool.h"
 #include "opencl.h"
 
 namespace gnomon {
 
-/// Allocates buffers and keeps count of what is alive, and of the most that ever was. Host memory that a device reads
-/// in place does not count.
+/// Allocates buffers and keeps count of what is alive, and of the most that ever was, with what is kept for buffers to
+/// come. Host memory that a device reads in place does not count.
 class DeviceMemory {
   public:
     /// `shared`: the device works on host memory itself.
@@ -37,15 +38,19 @@ class DeviceMemory {
 
     /// The most that was alive at once since expect().
     int64_t peak() const { return meter_->peak; }
-    /// No more than this should be alive at once from now on. Drivers give a buffer back a moment after the last
-    /// command that uses it: what would go beyond waits for that.
-    void expect(int64_t bytes);
+    /// No more than this should be alive at once from now on. Drivers give a buffer back a moment after the last command
+    /// that uses it: what would go beyond waits for that if memory is `scarce`.
+    void expect(int64_t bytes, bool scarce);
 
   private:
     struct Meter {
         std::atomic<int64_t> now{0}, peak{0}, expected{0};
+        std::atomic<bool> scarce{false};
+        std::atomic<int64_t> small{0};  // of now, what lies in no block of the pool
+        BlockPool pool;
     };
     cl::Buffer allocate(cl_mem_flags flags, size_t bytes, const void* values) const;
+    struct Charge;
     void await_room(int64_t bytes) const;
     static void CL_CALLBACK give_back(cl_mem buffer, void* charge);
 

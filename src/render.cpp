@@ -200,7 +200,7 @@ RenderStats Renderer::render(const Scene& scene, const RenderOptions& options, F
     const double planned_at = now();
     const std::vector<cl::Kernel> kernels = state_->build(plan, stats);
     stats.build_seconds = now() - planned_at;
-    state_->memory.expect(plan.memory.cut ? plan.memory.peak_bytes : std::numeric_limits<int64_t>::max());
+    state_->memory.expect(plan.memory.peak_bytes, plan.memory.cut);
     state_->run({scene, spheres, frame, plan, options}, kernels, film, stats);
     stats.peak_bytes = state_->memory.peak();
     if (frame.unit != 1)

@@ -1,0 +1,43 @@
+#include "block_pool.h"
+
+#include <sys/mman.h>
+
+#include <new>
+#include <utility>
+
+namespace gnomon {
+
+BlockPool::Block BlockPool::take(size_t bytes, size_t most) {
+    const size_t whole = (bytes + least - 1) / least * least;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = idle_.lower_bound(whole);
+    if (found != idle_.end() && found->first <= whole + whole / 4) {
+        Block block = std::move(found->second);
+        idle_.erase(found);
+        return block;
+    }
+    while (!idle_.empty() && held_ + whole > most) {
+        held_ -= idle_.begin()->first;
+        idle_.erase(idle_.begin());
+    }
+    Block block{std::unique_ptr<void, Free>(std::aligned_alloc(least, whole)), whole};
+    if (!block.memory) throw std::bad_alloc();
+#ifdef MADV_HUGEPAGE
+    madvise(block.memory.get(), whole, MADV_HUGEPAGE);  // a wish: without, the pages are small
+#endif
+    held_ += whole;
+    return block;
+}
+
+void BlockPool::give_back(Block block) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const size_t bytes = block.bytes;
+    idle_.emplace(bytes, std::move(block));
+}
+
+size_t BlockPool::held() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return held_;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,42 @@
+// Host memory for buffers of devices that work in it: large blocks, kept for those that come after.
+#pragma once
+
+#include <cstddef>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <mutex>
+
+namespace gnomon {
+
+/// A page that is new must be cleared, which for what is allocated once a pencil costs more than the kernels that fill
+/// it; and a walk through a hierarchy goes to another page with almost each step. So blocks are used again, and lie in
+/// huge pages if the system has them. Safe for use by several threads.
+class BlockPool {
+  public:
+    struct Free {
+        void operator()(void* memory) const { std::free(memory); }
+    };
+    struct Block {
+        std::unique_ptr<void, Free> memory;
+        size_t bytes = 0;
+    };
+
+    /// The least that is worth a block: a huge page.
+    static constexpr size_t least = size_t{2} << 20;
+
+    /// At least so many bytes, not cleared. No more than `most` are held in all, idle ones included, as far as those
+    /// can be let go. Throws std::bad_alloc.
+    Block take(size_t bytes, size_t most);
+    void give_back(Block block);
+
+    /// Taken and idle ones.
+    size_t held() const;
+
+  private:
+    mutable std::mutex mutex_;
+    std::multimap<size_t, Block> idle_;  // by bytes
+    size_t held_ = 0;
+};
+
+}  // namespace gnomon
