@@ -41,10 +41,11 @@ ClusterBuffers ChunkedSpheres::gather(int chunk) {
     ClusterBuffers& known = gathered_[static_cast<size_t>(chunk)];
     if (known.shape.spheres > 0) return known;
     if (!cut_) return known = kernels_.gather(rows_, survey_, frame_);
-    const SphereRows rows = rows_of_chunk(scene_, frame_, partition_, chunk);
-    const ClusterBuffers made = kernels_.gather(upload(memory_, rows), survey_, frame_);
+    rows_of_chunk(scene_, frame_, partition_, chunk, chunk_rows_);
+    const ClusterBuffers made = kernels_.gather(upload(memory_, chunk_rows_), survey_, frame_);
     launcher_.finish();  // the rows are read until then
     if (resident_) known = made;
+    if (resident_ && chunk + 1 == chunks()) chunk_rows_ = {};  // that was the last
     return made;
 }
 

@@ -37,6 +37,7 @@ class ChunkedSpheres {
     bool cut_, resident_;
     Partition partition_;                   // if the scene is cut
     std::vector<ClusterBuffers> gathered_;  // of each chunk, if they stay
+    SphereRows chunk_rows_;                 // of the chunk that was gathered last
 };
 
 }  // namespace gnomon

@@ -38,8 +38,8 @@ class DeviceMemory {
 
     /// The most that was alive at once since expect().
     int64_t peak() const { return meter_->peak; }
-    /// No more than this should be alive at once from now on. Drivers give a buffer back a moment after the last command
-    /// that uses it: what would go beyond waits for that if memory is `scarce`.
+    /// No more than this should be alive at once from now on. Drivers give a buffer back a moment after the last
+    /// command that uses it: what would go beyond waits for that if memory is `scarce`.
     void expect(int64_t bytes, bool scarce);
 
   private:

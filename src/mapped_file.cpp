@@ -5,6 +5,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cstdint>
+
 #include <cerrno>
 #include <system_error>
 
@@ -50,5 +52,13 @@ MappedFile::MappedFile(const std::string& path) : path_(path) {
 }
 
 MappedFile::~MappedFile() { munmap(start_, size_); }
+
+void MappedFile::forget(const void* first, std::size_t count) const {
+    // Only pages that lie in the range as a whole; others are forgotten with their neighbours, or stay.
+    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE)),
+               from = reinterpret_cast<std::uintptr_t>(first);
+    const std::uintptr_t low = (from + page - 1) / page * page, high = (from + count) / page * page;
+    if (low < high) madvise(reinterpret_cast<void*>(low), high - low, MADV_DONTNEED);  // else it just stays
+}
 
 }  // namespace gnomon

@@ -19,6 +19,8 @@ class MappedFile {
 
     const std::string& path() const { return path_; }
     std::string_view bytes() const { return {static_cast<const char*>(start_), size_}; }
+    /// Lets go of the memory behind some of its bytes; they are read from the file again when they are next looked at.
+    void forget(const void* first, std::size_t count) const;
 
   private:
     std::string path_;

@@ -67,7 +67,12 @@ SphereTable table_in(const SharedFile& file, const Layout& layout, Rgb albedo) {
     const bool aligned = reinterpret_cast<std::uintptr_t>(layout.data) % alignof(T) == 0;
     if (!aligned || layout.order != host_order || layout.column_by_column)
         return table_of(copied<T>(layout), layout.columns, albedo);
-    return {file, reinterpret_cast<const T*>(layout.data), layout.count, layout.columns, albedo};
+    const T* rows = reinterpret_cast<const T*>(layout.data);
+    const size_t row_size = static_cast<size_t>(layout.columns) * sizeof(T);
+    const auto forget = [file, rows, row_size, columns = layout.columns](int64_t first, int64_t count) {
+        file->forget(rows + first * columns, static_cast<size_t>(count) * row_size);
+    };
+    return {file, rows, layout.count, layout.columns, albedo, forget};
 }
 
 }  // namespace

@@ -22,15 +22,26 @@ struct RowView {
     const float *row, *rest;  // rest may be null
 };
 
+/// Calls visit(from, rows) for blocks of rows with ids from `first` to `last`.
+template <class Visit>
+void for_each_block(const Scene& scene, const Frame& frame, int64_t first, int64_t last, Visit visit) {
+    for (int64_t from = first; from < last; from += block) {
+        const SphereRows rows = sphere_rows(scene, frame, from, std::min(block, last - from));
+        visit(from, rows);
+        if (rows.forget) rows.forget();
+    }
+}
+
+RowView view_of(const SphereRows& rows, int64_t i) {
+    return {rows.rows + i * rows.columns, rows.rests.empty() ? nullptr : rows.rests.data() + 4 * i};
+}
+
 /// Calls visit(id, row) for the ids from `first` to `last`.
 template <class Visit>
 void for_each_row(const Scene& scene, const Frame& frame, int64_t first, int64_t last, Visit visit) {
-    for (int64_t from = first; from < last; from += block) {
-        const SphereRows rows = sphere_rows(scene, frame, from, std::min(block, last - from));
-        for (int64_t i = 0; i < rows.count; ++i)
-            visit(from + i,
-                  RowView{rows.rows + i * rows.columns, rows.rests.empty() ? nullptr : rows.rests.data() + 4 * i});
-    }
+    for_each_block(scene, frame, first, last, [&](int64_t from, const SphereRows& rows) {
+        for (int64_t i = 0; i < rows.count; ++i) visit(from + i, view_of(rows, i));
+    });
 }
 
 /// Runs work(first, last) over both halves of the ids at once.
@@ -146,26 +157,57 @@ Partition cut_into_chunks(const Scene& scene, const Survey& survey, const Frame&
     return result;
 }
 
-SphereRows rows_of_chunk(const Scene& scene, const Frame& frame, const Partition& partition, int chunk) {
-    SphereRows result;
-    result.columns = 4;
-    result.count = partition.sizes[static_cast<size_t>(chunk)];
-    const auto count = static_cast<size_t>(result.count);
-    result.made.resize(4 * count);
-    result.ids.resize(count);
-    if (!frame.floats) result.rests.resize(4 * count);
+namespace {
+
+/// Writes the rows of one chunk, as far as they are in a block, from place `to` on.
+class Picker {
+  public:
+    Picker(const Partition& partition, int chunk, SphereRows& rows, int64_t to)
+        : partition_(partition), chunk_(chunk), rows_(rows), to_(static_cast<size_t>(to)), picked_(block) {}
+
+    void operator()(int64_t from, const SphereRows& source) {
+        // Every place is written and the count goes on where it counts: to branch would be to guess wrong each time.
+        const uint16_t* chunks = partition_.chunk_of.data() + from;
+        size_t count = 0;
+        for (int64_t i = 0; i < source.count; ++i) {
+            picked_[count] = static_cast<int>(i);
+            count += chunks[i] == chunk_;
+        }
+        for (size_t k = 0; k < count; ++k, ++to_) {
+            const RowView r = view_of(source, picked_[k]);
+            std::copy(r.row, r.row + 4, &rows_.made[4 * to_]);
+            if (r.rest) std::copy(r.rest, r.rest + 4, &rows_.rests[4 * to_]);
+            rows_.ids[to_] = static_cast<int>(from) + picked_[k];
+        }
+    }
+
+  private:
+    const Partition& partition_;
+    int chunk_;
+    SphereRows& rows_;
+    size_t to_;
+    std::vector<int> picked_;
+};
+
+}  // namespace
+
+void rows_of_chunk(const Scene& scene, const Frame& frame, const Partition& partition, int chunk, SphereRows& rows) {
+    rows.columns = 4;
+    rows.count = partition.sizes[static_cast<size_t>(chunk)];
+    const auto count = static_cast<size_t>(rows.count);
+    const auto most = static_cast<size_t>(*std::max_element(partition.sizes.begin(), partition.sizes.end()));
+    rows.made.reserve(4 * most);
+    rows.ids.reserve(most);
+    rows.made.resize(4 * count);
+    rows.ids.resize(count);
+    if (!frame.floats) rows.rests.reserve(4 * most);
+    if (!frame.floats) rows.rests.resize(4 * count);
     const auto all = static_cast<int64_t>(partition.chunk_of.size());
     in_halves(all, [&](int64_t first, int64_t last, int half) {
-        auto to = static_cast<size_t>(half == 0 ? 0 : partition.early[static_cast<size_t>(chunk)]);
-        for_each_row(scene, frame, first, last, [&](int64_t id, const RowView& r) {
-            if (partition.chunk_of[static_cast<size_t>(id)] != chunk) return;
-            std::copy(r.row, r.row + 4, &result.made[4 * to]);
-            if (r.rest) std::copy(r.rest, r.rest + 4, &result.rests[4 * to]);
-            result.ids[to++] = static_cast<int>(id);
-        });
+        const int64_t to = half == 0 ? 0 : partition.early[static_cast<size_t>(chunk)];
+        for_each_block(scene, frame, first, last, Picker(partition, chunk, rows, to));
     });
-    result.rows = result.made.data();
-    return result;
+    rows.rows = rows.made.data();
 }
 
 }  // namespace gnomon

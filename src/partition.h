@@ -22,7 +22,7 @@ struct Partition {
 /// coincide than fit a chunk.
 Partition cut_into_chunks(const Scene& scene, const Survey& survey, const Frame& frame, int64_t capacity);
 
-/// The rows of one chunk, with their ids, in the order of these.
-SphereRows rows_of_chunk(const Scene& scene, const Frame& frame, const Partition& partition, int chunk);
+/// The rows of one chunk, with their ids, in the order of these. `rows` may hold those of another: its memory is used.
+void rows_of_chunk(const Scene& scene, const Frame& frame, const Partition& partition, int chunk, SphereRows& rows);
 
 }  // namespace gnomon

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <optional>
 
 #include "clock.h"
 #include "commands.h"
@@ -135,7 +136,7 @@ int RenderCommand::run() {
     const std::vector<DeviceInfo> devices = list_devices();
     const DeviceInfo& device = choose_device(devices, device_);
     say("device " + device.number() + ": " + device.name + " (" + device.platform_name + ")");
-    Renderer renderer(device);
+    std::optional<Renderer> renderer(std::in_place, device);
     stats.device_seconds = now() - start;
 
     options_.shadows = !no_shadows_;
@@ -144,8 +145,9 @@ int RenderCommand::run() {
     {
         Progress progress(!quiet_);
         options_.progress = std::ref(progress);
-        stats.render = renderer.render(scene, options_, film);
+        stats.render = renderer->render(scene, options_, film);
     }
+    renderer.reset();  // and what it holds of the device's memory
     const Metadata metadata = metadata_of(scene, device, stats.render, options_.shadows);
     stats.write_seconds = timed([&] {
         for (const std::string& path : outputs_) write_image(film, path, display_, metadata);

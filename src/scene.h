@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <variant>
@@ -40,6 +41,9 @@ struct SphereTable {
     int64_t count = 0;
     int columns = 4;      ///< 4 or 7
     Rgb albedo{1, 1, 1};  ///< of all, when rows have 4 columns
+    /// May be called when `count` rows from `first` on were read and will not be for a while: their memory can go to
+    /// others. Empty for rows that are nowhere else.
+    std::function<void(int64_t first, int64_t count)> forget = {};
 
     Sphere operator[](size_t row) const;
 };

@@ -50,6 +50,7 @@ SphereRows sphere_rows(const Scene& scene, const Frame& frame, int64_t first, in
         result.columns = table->columns;
         result.albedo = table->albedo;
         result.rows = std::get<const float*>(table->rows) + row * table->columns;
+        if (table->forget) result.forget = [table, row, count] { table->forget(row, count); };
         return result;
     }
     result.made.reserve(static_cast<size_t>(7 * count));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "scene.h"
@@ -18,6 +19,7 @@ struct SphereRows {
     std::vector<int> ids;          ///< or, when it is not empty, these, ascending
     Rgb albedo;                    ///< of all, when there are 4 columns
     std::vector<float> made, rests;
+    std::function<void()> forget = {};  ///< to be called, if there is one, when the rows were read: see SphereTable
 };
 
 /// Rows first to first + count. The scene must outlive them.

@@ -75,8 +75,9 @@ TEST_CASE("chunks: each sphere is in one, coincident ones in the same, none is t
             const Frame frame = choose_frame(scene, spheres);
             const Partition cut = cut_into_chunks(scene, spheres, frame, capacity);
             int64_t all = 0;
+            SphereRows rows;
             for (int chunk = 0; chunk < cut.chunks(); ++chunk) {
-                const SphereRows rows = rows_of_chunk(scene, frame, cut, chunk);
+                rows_of_chunk(scene, frame, cut, chunk, rows);
                 CHECK(rows.count <= capacity);
                 CHECK(std::is_sorted(rows.ids.begin(), rows.ids.end()));
                 int wrong = 0;
