@@ -51,6 +51,9 @@ void add_options(CLI::App& app, Options& o) {
         ->check(CLI::PositiveNumber);
     app.add_option("--lanes", o.measure.options.lanes, "as gnomon's --lanes");
     app.add_option("--tile", o.measure.options.tile, "as gnomon's --tile");
+    app.add_option("--memory", o.measure.options.memory, "as gnomon's --memory")
+        ->transform(CLI::AsSizeValue(false))
+        ->type_name("SIZE");
     app.add_flag("--no-embree", o.no_peer, "gnomon alone");
     app.add_option("--json", o.json, "write all that was measured")
         ->type_name("FILE")
