@@ -22,25 +22,25 @@ struct ViewOfLight {
 
 ChunkedSpheres::ChunkedSpheres(const DeviceMemory& memory, SphereKernels& kernels, Launcher& launcher,
                                const Scene& scene, const Survey& survey, const Frame& frame, const Plan& plan,
-                               const RowBuffers& rows)
+                               const ClusterBuffers* all)
     : memory_(memory),
       kernels_(kernels),
       launcher_(launcher),
       scene_(scene),
       survey_(survey),
       frame_(frame),
-      rows_(rows),
-      cut_(plan.memory.cut),
-      resident_(plan.memory.resident),
-      partition_(cut_ ? cut_into_chunks(scene, survey, frame, plan.memory.chunk_spheres) : Partition()),
-      gathered_(static_cast<size_t>(cut_ ? partition_.chunks() : 1)) {
-    if (!cut_) gather(0);
+      resident_(plan.memory.resident) {
+    if (plan.memory.cut) {
+        partition_ = cut_into_chunks(scene, survey, frame, plan.memory.chunk_spheres);
+        gathered_.resize(partition_.sizes.size());
+    } else {
+        gathered_.push_back(*all);
+    }
 }
 
 ClusterBuffers ChunkedSpheres::gather(int chunk) {
     ClusterBuffers& known = gathered_[static_cast<size_t>(chunk)];
     if (known.shape.spheres > 0) return known;
-    if (!cut_) return known = kernels_.gather(rows_, survey_, frame_);
     rows_of_chunk(scene_, frame_, partition_, chunk, chunk_rows_);
     const ClusterBuffers made = kernels_.gather(upload(memory_, chunk_rows_), survey_, frame_);
     launcher_.finish();  // the rows are read until then

@@ -10,9 +10,9 @@ namespace gnomon {
 
 class ChunkedSpheres {
   public:
-    /// Cuts the scene if the plan says so, else all spheres are in `rows`. All of it must outlive this.
+    /// Cuts the scene if the plan says so, else `all` are its spheres. The rest must outlive this.
     ChunkedSpheres(const DeviceMemory& memory, SphereKernels& kernels, Launcher& launcher, const Scene& scene,
-                   const Survey& survey, const Frame& frame, const Plan& plan, const RowBuffers& rows);
+                   const Survey& survey, const Frame& frame, const Plan& plan, const ClusterBuffers* all);
 
     int chunks() const { return static_cast<int>(gathered_.size()); }
 
@@ -33,8 +33,7 @@ class ChunkedSpheres {
     const Scene& scene_;
     const Survey& survey_;
     const Frame& frame_;
-    const RowBuffers& rows_;
-    bool cut_, resident_;
+    bool resident_;
     Partition partition_;                   // if the scene is cut
     std::vector<ClusterBuffers> gathered_;  // of each chunk, if they stay
     SphereRows chunk_rows_;                 // of the chunk that was gathered last

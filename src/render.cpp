@@ -81,10 +81,18 @@ struct Job {
 };
 
 /// The spheres' rows on the device, and what they lie in.
-struct Prepared {
+struct Rows {
     SphereRows rows;
-    RowBuffers row_buffers;
+    RowBuffers buffers;
     AlbedoBuffer albedos;
+};
+
+/// The spheres on the device.
+struct Still {
+    Survey survey;
+    Frame frame;
+    Rows rows;
+    ClusterBuffers clusters;  // unless the scene is cut
 };
 
 }  // namespace
@@ -97,6 +105,7 @@ struct Renderer::State {
     Programs programs;
     DeviceMemory memory;
     TilePool tiles;
+    std::optional<Still> still;  // of the last picture
 
     explicit State(const DeviceInfo& i)
         : info(i),
@@ -120,12 +129,21 @@ struct Renderer::State {
     }
 
     /// The spheres' rows, or just one, for the albedo if all have the same, where the scene is cut.
-    Prepared upload_rows(const Job& job) {
-        Prepared prepared{sphere_rows(job.scene, job.frame, 0, job.plan.memory.cut ? 1 : job.survey.count), {}, {}};
-        prepared.row_buffers = upload(memory, prepared.rows);
-        prepared.albedos = albedos_of(memory, prepared.rows, prepared.row_buffers);
-        if (job.plan.memory.cut) prepared.albedos.stride = 0;
-        return prepared;
+    Rows upload_rows(const Job& job) {
+        Rows rows{sphere_rows(job.scene, job.frame, 0, job.plan.memory.cut ? 1 : job.survey.count), {}, {}};
+        rows.buffers = upload(memory, rows.rows);
+        rows.albedos = albedos_of(memory, rows.rows, rows.buffers);
+        if (job.plan.memory.cut) rows.albedos.stride = 0;
+        return rows;
+    }
+
+    /// What is the same for all pencils, and for frames in which the spheres stay.
+    const Still& still_spheres(const Job& job, SphereKernels& kernels) {
+        if (still && still->frame == job.frame) return *still;
+        still.reset();
+        Still made{job.survey, job.frame, upload_rows(job), {}};
+        if (!job.plan.memory.cut) made.clusters = kernels.gather(made.rows.buffers, job.survey, job.frame);
+        return still.emplace(std::move(made));
     }
 
     static void add(const Plan& plan, const std::vector<Launcher::Launched>& launched, RenderStats& stats) {
@@ -142,17 +160,14 @@ struct Renderer::State {
         const double start = now();
         Launcher launcher(queue, programs);
         SphereKernels sphere_kernels(memory, launcher, job.plan);
-        const Prepared prepared = upload_rows(job);
+        const Still& spheres = still_spheres(job, sphere_kernels);
         std::optional<ChunkedSpheres> chunks;
-        std::optional<ClusterBuffers> spheres;
         if (job.plan.memory.by_view)
             chunks.emplace(memory, sphere_kernels, launcher, job.scene, job.survey, job.frame, job.plan,
-                           prepared.row_buffers);
-        else
-            spheres = sphere_kernels.gather(prepared.row_buffers, job.survey, job.frame);
+                           &spheres.clusters);
         SceneBuffers buffers =
-            gnomon::prepare(sphere_kernels, job.scene, job.survey, job.frame, spheres ? &*spheres : nullptr, job.plan);
-        buffers.albedos = prepared.albedos;
+            prepare(sphere_kernels, job.scene, job.survey, job.frame, chunks ? nullptr : &spheres.clusters, job.plan);
+        buffers.albedos = spheres.rows.albedos;
         launcher.finish();
         const double prepared_at = now();
         Scheduler scheduler(context, queue, memory, job.plan, buffers, tiles.get(memory, job.plan), kernels, film);
@@ -189,7 +204,9 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 RenderStats Renderer::render(const Scene& scene, const RenderOptions& options, Film& film) try {
     const double start = now();
-    const Survey spheres = survey(scene);
+    std::optional<Still>& still = state_->still;
+    if (!options.same_spheres) still.reset();
+    const Survey spheres = still ? still->survey : survey(scene);
     const Frame frame = choose_frame(scene, spheres);
     const Plan plan = make_plan(scene, spheres, options, DeviceLimits(state_->info));
     RenderStats stats = planned(plan, scene);
@@ -203,6 +220,7 @@ RenderStats Renderer::render(const Scene& scene, const RenderOptions& options, F
     state_->memory.expect(plan.memory.peak_bytes, plan.memory.cut);
     state_->run({scene, spheres, frame, plan, options}, kernels, film, stats);
     stats.peak_bytes = state_->memory.peak();
+    if (plan.memory.cut) still.reset();
     if (frame.unit != 1)
         for (float& distance : film.distance) distance = static_cast<float>(distance * frame.unit);
     return stats;

@@ -30,6 +30,10 @@ struct Frame {
     bool floats = true;  ///< the spheres are floats in this frame
 
     Vec3 place(const Vec3& p) const { return (p - origin) * (1 / unit); }
+    bool operator==(const Frame& f) const {
+        return unit == f.unit && origin.x == f.origin.x && origin.y == f.origin.y && origin.z == f.origin.z &&
+               floats == f.floats;
+    }
     bool is_scene() const { return unit == 1 && origin.x == 0 && origin.y == 0 && origin.z == 0; }
 };
 Frame choose_frame(const Scene& scene, const Survey& survey);
