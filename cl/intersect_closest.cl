@@ -1,10 +1,12 @@
 // intersect_closest: the first sphere that each ray of the eye's pencil meets.
 //
-// Reads dirs (block order, 3 a ray) and the hierarchy of the spheres as the eye sees them. Writes per ray t, the
-// outward unit normal and the id (a miss: +inf, (inf, inf, inf), -1); adds to hit_counts[first_group + g] how many more
-// rays of work-group g hit. Where the spheres come in chunks (-D CHUNKS=1) and this is not the first of them, what was
+// Reads dirs (block order, 3 a ray) and the hierarchy of the spheres as the eye sees them; with -D RAYS=RAYS_GENERATED
+// it writes dirs itself, as generate_rays would. Writes per ray t, the outward unit normal and the id (a miss: +inf,
+// (inf, inf, inf), -1); adds to hit_counts[first_group + g] how many more rays of work-group g hit. Where the spheres
+// come in chunks (-D CHUNKS=1) and this is not the first of them, what was
 // written for those before is read, and stays where nothing is closer. One work-item: PACKETS * LANES neighbouring rays
 // of a block against the spheres that their fat ray may meet.
+#include "eye_pencil.h"
 #include "fat_ray.h"
 #include "sphere.h"
 
@@ -49,7 +51,7 @@ static inline vec3w outward_normal(Hit hit, vec3w dir) {
     return select_w(hits, scale_w(divide(wide(1.0f), square_root(dot_w(out, out))), out), infinite);
 }
 
-kernel void intersect_closest(global const float* restrict dirs, const Basis basis,
+kernel void intersect_closest(global float* restrict dirs, const EyePencil eye, const Tile tile, const Basis basis,
                               global const PencilCluster* restrict clusters, global const Node* restrict nodes,
                               const int levels, const int last, const int first_chunk, const int items,
                               global float* restrict ts, global float* restrict normals, global int* restrict ids,
@@ -59,7 +61,12 @@ kernel void intersect_closest(global const float* restrict dirs, const Basis bas
     vec3w dir[PACKETS];
     Hit hit[PACKETS];
     FOR_PACKETS(k) {
+#if RAYS == RAYS_GENERATED
+        dir[k] = eye_rays(eye, tile, item, k);
+        store_3(dir[k], dirs, item, k);
+#else
         dir[k] = load_3(dirs, item, k);
+#endif
         hit[k] = (Hit){wide(INFINITY), (intw)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}};
     }
 #if CHUNKS

@@ -4,8 +4,10 @@
 // from arrival, as intersect_shadow wrote it (SHADOWS_READ); or from shadow rays that are traced here, in the same
 // launch, as intersect_shadow would (SHADOWS_TRACED). What is not needed is not touched. phi is the light's irradiance
 // / pi (directional) or power / (4 pi^2) (point). Adds to radiance (3 a ray, block order), or sets it for the first
-// light. Albedos are those of ids or, with -D ALBEDOS_OF_RAYS=1, of the rays in their order. One work-item: PACKETS *
-// LANES neighbouring rays.
+// light. Albedos are those of ids or, with -D ALBEDOS_OF_RAYS=1, of the rays in their order. With -D RESOLVES=1 the
+// last light's launch resolves the radiance too, as `resolve` would, group by group while it is in the caches; groups
+// then have whole blocks. One work-item: PACKETS * LANES neighbouring rays.
+#include "resolve.h"
 #include "shadow.h"
 
 // The albedo of LANES ids, `stride` floats apart, by a loop over the distinct ones, of which neighbours have few:
@@ -21,42 +23,76 @@ static inline vec3w albedo_of(global const float* restrict albedos, int stride, 
     return albedo;
 }
 
+typedef struct {
+    global const float* values;
+    int stride;  // from id to id, 0 where all are the same
+} Albedos;
+
+// Adds what the light gives the hits of packet k, of which `share` arrives.
+static inline void add_light(Hits hits, Albedos albedos, Float3 phi, floatw share, int first, int item, int k,
+                             global float* radiance) {
+    const intw lit = share > 0.0f;
+    const int any_lit = any_lane(lit);
+    if (!any_lit && !first) return;
+    vec3w sum = {wide(0.0f), wide(0.0f), wide(0.0f)};
+    if (!first) sum = load_3(radiance, item, k);
+    if (any_lit) {
+#if ALBEDOS_OF_RAYS
+        const vec3w albedo = load_3(albedos.values, item, k);
+#else
+        const vec3w albedo = albedo_of(albedos.values, albedos.stride, load_i(hits.ids, item, k), lit);
+#endif
+        const vec3w reflected = scale_w(share, albedo);
+        sum = (vec3w){fma(reflected.x, wide(phi.x), sum.x), fma(reflected.y, wide(phi.y), sum.y),
+                      fma(reflected.z, wide(phi.z), sum.z)};
+    }
+    store_3(sum, radiance, item, k);
+}
+
+#if RESOLVES
+// The blocks of this work-group, two by two.
+static inline void resolve_group(global const int* radiance, Tile tile, Planes planes, global int* plane0,
+                                 global int* plane1, global int* plane2) {
+    const int blocks = (int)get_local_size(0) * LANES * PACKETS / BLOCK_RAYS, begin = (int)get_group_id(0) * blocks;
+    for (int i = (int)get_local_id(0); i < (blocks + 1) / 2 * BLOCK_SIDE; i += (int)get_local_size(0)) {
+        const int block = begin + i / BLOCK_SIDE * 2, row = i % BLOCK_SIDE, end = min(begin + blocks, tile.blocks);
+        const int neighbours = block % tile.blocks_x + 1 < tile.blocks_x, count = min(2, end - block);
+        if (neighbours || count < 2) {
+            if (count > 0) resolve_row(radiance, 3, tile, planes, block, count, row, plane0, plane1, plane2);
+            continue;
+        }
+        resolve_row(radiance, 3, tile, planes, block, 1, row, plane0, plane1, plane2);
+        resolve_row(radiance, 3, tile, planes, block + 1, 1, row, plane0, plane1, plane2);
+    }
+}
+#endif
+
 kernel void shade_light(global const float* restrict dirs, global const float* restrict ts,
                         global const float* restrict normals, global const int* restrict ids,
                         global const float* restrict arrival, global const PencilCluster* restrict clusters,
                         global const Node* restrict nodes, const int levels, const int last, const float group_depth,
                         global const float* restrict albedos, const int first_albedo, const int albedo_stride,
                         const LightPencil light, const Float3 phi, const int first, const int items,
-                        global float* restrict radiance) {
+                        global float* radiance, const int last_light, const Tile tile, const Planes planes,
+                        global int* plane0, global int* plane1, global int* plane2) {
     const int item = (int)get_global_id(0);
-    if (item >= items) return;
-    const Hits hits = {dirs, ts, normals, ids};
-    floatw share[PACKETS];
+    if (item < items) {
+        const Hits hits = {dirs, ts, normals, ids};
+        floatw share[PACKETS];
 #if SHADOWS == SHADOWS_READ
-    FOR_PACKETS(k) share[k] = load_f(arrival, item, k);
+        FOR_PACKETS(k) share[k] = load_f(arrival, item, k);
 #else
-    FOR_PACKETS(k) share[k] = unshadowed(hits, light, item, k);
+        FOR_PACKETS(k) share[k] = unshadowed(hits, light, item, k);
 #endif
 #if SHADOWS == SHADOWS_TRACED
-    const Hierarchy hierarchy = {clusters, nodes, levels, last};
-    trace_shadows(hits, hierarchy, light, group_depth, item, share);
+        const Hierarchy hierarchy = {clusters, nodes, levels, last};
+        trace_shadows(hits, hierarchy, light, group_depth, item, share);
 #endif
-    FOR_PACKETS(k) {
-        const intw lit = share[k] > 0.0f;
-        const int any_lit = any_lane(lit);
-        if (!any_lit && !first) continue;
-        vec3w sum = {wide(0.0f), wide(0.0f), wide(0.0f)};
-        if (!first) sum = load_3(radiance, item, k);
-        if (any_lit) {
-#if ALBEDOS_OF_RAYS
-            const vec3w albedo = load_3(albedos, item, k);
-#else
-            const vec3w albedo = albedo_of(albedos + first_albedo, albedo_stride, load_i(ids, item, k), lit);
-#endif
-            const vec3w reflected = scale_w(share[k], albedo);
-            sum = (vec3w){fma(reflected.x, wide(phi.x), sum.x), fma(reflected.y, wide(phi.y), sum.y),
-                          fma(reflected.z, wide(phi.z), sum.z)};
-        }
-        store_3(sum, radiance, item, k);
+        const Albedos all = {albedos + first_albedo, albedo_stride};
+        FOR_PACKETS(k) add_light(hits, all, phi, share[k], first, item, k, radiance);
     }
+#if RESOLVES
+    barrier(CLK_GLOBAL_MEM_FENCE);
+    if (last_light) resolve_group((global const int*)radiance, tile, planes, plane0, plane1, plane2);
+#endif
 }

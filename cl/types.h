@@ -18,6 +18,10 @@
 #define WALK_CLUSTERS 1
 #define WALK_NODES 2
 
+// Where intersect_closest has its rays from: generate_rays, a launch before, or itself.
+#define RAYS_READ 0
+#define RAYS_GENERATED 1
+
 // Where shade_light has its shadows from.
 #define SHADOWS_OFF 0
 #define SHADOWS_READ 1
@@ -113,6 +117,13 @@ typedef struct {
     int blocks;    // blocks in all
 } Tile;
 
+// Planes of pixels, row by row.
+typedef struct {
+    int width, height;     // of the image
+    int first_x, first_y;  // the pixel of a plane's first value
+    int pitch;             // values a row
+} Planes;
+
 #define ASSERT_SIZE(type, bytes) typedef char assert_size_of_##type[sizeof(type) == (bytes) ? 1 : -1]
 ASSERT_SIZE(Float3, 12);
 ASSERT_SIZE(Cluster, 5 * 4 * CLUSTER);
@@ -124,6 +135,7 @@ ASSERT_SIZE(EyePencil, 44);
 ASSERT_SIZE(ParallelPencil, 36);
 ASSERT_SIZE(PointPencil, 16 + 36 * MAX_FACES);
 ASSERT_SIZE(Tile, 16);
+ASSERT_SIZE(Planes, 20);
 
 #ifdef __cplusplus
 }

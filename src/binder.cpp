@@ -29,7 +29,7 @@ Binder::Binder(const cl::Context& context, const Plan& plan, const SceneBuffers&
     : plan_(plan), scene_(scene), film_(film), hit_counts_(hit_counts) {
     if (!plan.write_in_place) return;
     for (const Step& step : plan.steps)
-        if (step.kernel == Kernel::resolve)
+        if (step.kernel == Kernel::resolve || step.resolves)
             for (const auto& [data, bytes] : planes_of(film, step.output))
                 planes_[static_cast<size_t>(step.output)].emplace_back(context, CL_MEM_WRITE_ONLY | CL_MEM_USE_HOST_PTR,
                                                                        bytes, data);
@@ -42,9 +42,10 @@ void Binder::bind(cl::Kernel& kernel, const TileLaunch& launch) const {
         case Kernel::generate_rays:
             return set_arguments(kernel, scene_.eye, launch.tile, items, b.dirs);
         case Kernel::intersect_closest:
-            return set_arguments(kernel, b.dirs, scene_.eye_basis, launch.spheres->clusters, launch.spheres->nodes,
-                                 launch.spheres->levels, launch.spheres->last, launch.first_chunk ? 1 : 0, items, b.ts,
-                                 b.normals, b.ids, launch.first_group, hit_counts_);
+            return set_arguments(kernel, b.dirs, scene_.eye, launch.tile, scene_.eye_basis, launch.spheres->clusters,
+                                 launch.spheres->nodes, launch.spheres->levels, launch.spheres->last,
+                                 launch.first_chunk ? 1 : 0, items, b.ts, b.normals, b.ids, launch.first_group,
+                                 hit_counts_);
         case Kernel::intersect_shadow:
         case Kernel::shade_light:
             return bind_light(kernel, launch, items);
@@ -59,32 +60,39 @@ void Binder::bind_light(cl::Kernel& kernel, const TileLaunch& launch, int items)
     const TileBuffers& b = launch.buffers;
     const LightBuffers& light = scene_.lights[static_cast<size_t>(launch.step.light)];
     const SphereBuffers& s = *launch.spheres;
-    const AlbedoBuffer& albedos = scene_.albedos;
+    const AlbedoBuffer of_rays{b.albedos, 0, 0};
+    const AlbedoBuffer& albedos = plan_.albedos_of_rays ? of_rays : scene_.albedos;
     const auto with = [&](const auto& pencil) {
         if (launch.step.kernel == Kernel::intersect_shadow)
             set_arguments(kernel, b.dirs, b.ts, b.normals, b.ids, s.clusters, s.nodes, s.levels, s.last,
                           launch.first_chunk ? 1 : 0, plan_.group_depth, pencil, items, b.arrival);
         else
             set_arguments(kernel, b.dirs, b.ts, b.normals, b.ids, b.arrival, s.clusters, s.nodes, s.levels, s.last,
-                          plan_.group_depth, plan_.albedos_of_rays ? b.albedos : albedos.values, albedos.first,
-                          albedos.stride, pencil, light.phi, launch.step.first ? 1 : 0, items, b.radiance);
+                          plan_.group_depth, albedos.values, albedos.first, albedos.stride, pencil, light.phi,
+                          launch.step.first ? 1 : 0, items, b.radiance, launch.step.resolves ? 1 : 0, launch.tile,
+                          shape_of_planes(launch.tile), plane(launch, 0), plane(launch, 1), plane(launch, 2));
     };
     std::visit(with, light.pencil);
 }
 
 void Binder::bind_resolve(cl::Kernel& kernel, const TileLaunch& launch) const {
     const TileBuffers& b = launch.buffers;
-    const Tile& tile = launch.tile;
     const Output output = launch.step.output;
     const cl::Buffer* const sources[] = {&b.radiance, &b.ts, &b.normals, &b.ids};
-    const bool in_place = plan_.write_in_place;
     const int components = output == Output::radiance || output == Output::normal ? 3 : 1;
-    const auto plane = [&](size_t c) -> const cl::Buffer& {
-        return in_place ? planes(output)[std::min(c, planes(output).size() - 1)] : b.planes[c];
-    };
-    set_arguments(kernel, *sources[static_cast<size_t>(output)], components, tile, film_.width, film_.height,
-                  in_place ? 0 : tile.x, in_place ? 0 : tile.y, in_place ? film_.width : tile.blocks_x * BLOCK_SIDE,
-                  plan_.items(Kernel::resolve, tile), plane(0), plane(1), plane(2));
+    set_arguments(kernel, *sources[static_cast<size_t>(output)], components, launch.tile, shape_of_planes(launch.tile),
+                  plan_.items(Kernel::resolve, launch.tile), plane(launch, 0), plane(launch, 1), plane(launch, 2));
+}
+
+Planes Binder::shape_of_planes(const Tile& tile) const {
+    if (plan_.write_in_place) return {film_.width, film_.height, 0, 0, film_.width};
+    return {film_.width, film_.height, tile.x, tile.y, tile.blocks_x * BLOCK_SIDE};
+}
+
+const cl::Buffer& Binder::plane(const TileLaunch& launch, size_t c) const {
+    if (!plan_.write_in_place) return launch.buffers.planes[c];
+    const std::vector<cl::Buffer>& all = planes(launch.step.output);
+    return all.empty() ? launch.buffers.ids : all[std::min(c, all.size() - 1)];
 }
 
 }  // namespace gnomon

@@ -73,7 +73,10 @@ MemoryPlan plan_memory(const MemoryNeeds& n, const MemoryLimits& limits) {
     const int64_t tile_rays = tile_beside_chunks(n, limits);
     const int64_t whole = whole_peak(n), one_view = one_view_peak(n, tile_rays);
     if (one_buffer_holds && std::min(whole, one_view) <= limits.all) {
-        if (whole <= one_view) return {false, false, n.spheres, true, n.tile_rays, whole};
+        // Smaller tiles would have every pencil's view made again for each.
+        const bool views_made_once = tile_rays >= n.image_rays;
+        if (whole <= limits.all && (whole <= one_view || !views_made_once))
+            return {false, false, n.spheres, true, n.tile_rays, whole};
         return {true, false, n.spheres, true, tile_rays, one_view};
     }
     SphereFootprint chunk = s;

@@ -75,19 +75,26 @@ class Chain {
     /// For a kernel that meets the spheres.
     void add_tracing(Step step, std::vector<std::string> defines) {
         defines.push_back("WALK=" + plan_.walk());
-        if (step.kernel == Kernel::shade_light)
+        if (step.kernel == Kernel::shade_light) {
             defines.push_back(plan_.albedos_of_rays ? "ALBEDOS_OF_RAYS=1" : "ALBEDOS_OF_RAYS=0");
-        else
+            defines.push_back(plan_.resolve_radiance ? "RESOLVES=0" : "RESOLVES=1");
+            defines.push_back(stream());
+        } else {
             defines.push_back(plan_.memory.cut ? "CHUNKS=1" : "CHUNKS=0");
+        }
+        if (step.kernel == Kernel::intersect_closest)
+            defines.push_back(plan_.generate_rays ? "RAYS=RAYS_READ" : "RAYS=RAYS_GENERATED");
         add_lanes(step, defines);
     }
     void resolve(Output output) {
         Step step{Kernel::resolve, 0};
         step.output = output;
-        add(step, {plan_.stream ? "STREAM=1" : "STREAM=0"});
+        add(step, {stream()});
     }
 
   private:
+    std::string stream() const { return plan_.stream ? "STREAM=1" : "STREAM=0"; }
+
     Plan& plan_;
 };
 
@@ -154,14 +161,17 @@ void add_steps(Plan& plan, const Scene& scene, const RenderOptions& options) {
     const bool shaded = wanted.radiance && std::any_of(scene.lights.begin(), scene.lights.end(), shines);
     if (plan.spheres == 0 || !(shaded || wanted.distance || wanted.normal || wanted.id)) return;
     Chain chain(plan);
-    chain.add_lanes({Kernel::generate_rays, 0}, {});
+    if (plan.generate_rays) chain.add_lanes({Kernel::generate_rays, 0}, {});
     chain.add_tracing({Kernel::intersect_closest, 0}, {});
     if (wanted.distance) chain.resolve(Output::distance);
     if (wanted.normal) chain.resolve(Output::normal);
     if (wanted.id) chain.resolve(Output::id);
     if (!shaded) return;
     add_lights(chain, scene, plan.shadows);
-    chain.resolve(Output::radiance);
+    if (plan.resolve_radiance)
+        chain.resolve(Output::radiance);
+    else
+        plan.steps.back().resolves = true;
 }
 
 /// A block of receivers is traced as one while its depth is no more than a few times its width, 4 times the 8 pixels:
@@ -291,8 +301,12 @@ Plan make_plan(const Scene& scene, const Survey& survey, const RenderOptions& op
     if (survey.count > 0) plan.memory = share_memory(plan, scene, survey, options, limits);
     if (plan.memory.by_view) plan.tiles = cut(scene.image, static_cast<int>(plan.memory.tile_rays));
     plan.albedos_of_rays = plan.memory.cut && !survey.one_albedo;
-    // A launch costs a CPU more than it does a GPU, and hits read twice cost more than registers.
-    if (options.shadows) plan.shadows = limits.cpu && !plan.memory.cut ? Shadows::traced : Shadows::read;
+    // A launch costs a CPU more than it does a GPU, and what is read again costs more than what is still at hand.
+    const bool few_launches = limits.cpu && !plan.memory.cut;
+    if (options.shadows) plan.shadows = few_launches ? Shadows::traced : Shadows::read;
+    plan.generate_rays = !few_launches;
+    plan.resolve_radiance =
+        !few_launches || !plan.write_in_place || plan.rays_per_item() * plan.local_size % BLOCK_RAYS != 0;
     add_steps(plan, scene, options);
     if (!plan.steps.empty()) add_sphere_kernels(plan, scene);
     for (const Tile& tile : plan.tiles) plan.tile_blocks = std::max(plan.tile_blocks, tile.blocks);

@@ -67,6 +67,7 @@ struct Step {
     int variant;                       ///< index into Plan::variants
     int light = -1;                    ///< index into Scene::lights, for the lights' kernels
     bool first = false;                ///< shade_light: the first light sets the radiance, the others add
+    bool resolves = false;             ///< shade_light: the last light's launch resolves the radiance too
     Output output = Output::radiance;  ///< resolve: what it resolves
 };
 
@@ -77,7 +78,9 @@ struct Plan {
     int slice_local_size = 1;    ///< those over the slices of a sort
     int max_slices = 1;          ///< parts into which a sort is cut
     Shadows shadows = Shadows::off;
-    bool stream = true;             ///< resolve writes past the caches
+    bool generate_rays = true;      ///< in a launch of its own, not in intersect_closest's
+    bool resolve_radiance = true;   ///< in a launch of its own, not in the last light's
+    bool stream = true;             ///< the film is written past the caches
     bool write_in_place = true;     ///< the film's planes are the device's buffers
     int tile_blocks = 0;            ///< blocks in the largest tile
     std::vector<Tile> tiles;        ///< covering the image, row by row

@@ -29,9 +29,12 @@ inline Hits closest(Bench& bench, Width w, const Camera& camera, const PencilSph
     const GuardedSpheres in(bench, spheres);
     const GuardedBuffer<int> ids(bench, rays), counts(bench, std::vector<int>(first_group + groups, counted_before));
     bench.launch(
-        bench.programs.get({Kernel::intersect_closest, w.defines({"WALK=" + spheres.walk, "CHUNKS=0"})}).kernel, items,
-        dirs.buffer(), eye_basis(camera), in.clusters.buffer(), in.nodes.buffer(), spheres.levels, spheres.last, 1,
-        items, ts.buffer(), normals.buffer(), ids.buffer(), first_group, counts.buffer());
+        bench.programs
+            .get({Kernel::intersect_closest, w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_READ"})})
+            .kernel,
+        items, dirs.buffer(), EyePencil{}, Tile{}, eye_basis(camera), in.clusters.buffer(), in.nodes.buffer(),
+        spheres.levels, spheres.last, 1, items, ts.buffer(), normals.buffer(), ids.buffer(), first_group,
+        counts.buffer());
     Hits hits{ts.read(), normals.read(), ids.read(), counts.read()};
     dirs.check_unchanged();
     in.check_unchanged();

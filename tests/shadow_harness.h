@@ -126,12 +126,18 @@ struct Shading {
     std::vector<float> arrival;   ///< for SHADOWS_READ
     std::vector<float> radiance;  ///< before the launch
     bool first = false;
+    Tile tile{};            ///< of the hits, if planes follow
+    ImageSize image{0, 0};  ///< which the launch is to resolve the radiance to, if it has a width
 };
+
+/// Whether work-groups of this width have whole blocks, as they must to resolve.
+inline bool has_whole_blocks(const Bench& bench, Width w) { return w.rays() * bench.local % BLOCK_RAYS == 0; }
 
 /// Launches shade_light over whole blocks of hits and returns the radiance; checks guards and inputs. What the kind of
 /// shadows does not need is a buffer of one value.
 inline std::vector<float> shade(Bench& bench, Width w, const Scene& scene, const Receivers& hits,
-                                const LightSetup& light, const Shading& shading) {
+                                const LightSetup& light, const Shading& shading,
+                                std::vector<float>* resolved = nullptr) {
     INFO(w << ", " << shading.shadows);
     std::vector<Float3> rho;
     for (const Sphere& s : scene.spheres) rho.push_back(to_float({s.albedo.r, s.albedo.g, s.albedo.b}));
@@ -140,19 +146,29 @@ inline std::vector<float> shade(Bench& bench, Width w, const Scene& scene, const
     const GuardedBuffer<float> arriving(bench, shading.arrival.empty() ? sentinels<float>(1) : shading.arrival);
     const GuardedBuffer<float> radiance(bench, shading.radiance);
     const int items = static_cast<int>(hits.size()) / w.rays(), first = shading.first ? 1 : 0;
-    const Variant variant{Kernel::shade_light, w.defines({light.define, "SHADOWS=" + shading.shadows,
-                                                          "WALK=" + light.spheres.walk, "ALBEDOS_OF_RAYS=0"})};
+    const size_t pixels = std::max<size_t>(1, static_cast<size_t>(shading.image.width * shading.image.height));
+    const GuardedBuffer<float> planes[] = {{bench, pixels}, {bench, pixels}, {bench, pixels}};
+    const Planes shape{shading.image.width, shading.image.height, 0, 0, shading.image.width};
+    const Variant variant{Kernel::shade_light,
+                          w.defines({light.define, "SHADOWS=" + shading.shadows, "WALK=" + light.spheres.walk,
+                                     "ALBEDOS_OF_RAYS=0", resolved ? "RESOLVES=1" : "RESOLVES=0", "STREAM=1"})};
     std::visit(
         [&](const auto& pencil) {
             bench.launch(bench.programs.get(variant).kernel, items, in.dirs.buffer(), in.ts.buffer(),
                          in.normals.buffer(), in.ids.buffer(), arriving.buffer(), in.spheres.clusters.buffer(),
                          in.spheres.nodes.buffer(), light.spheres.levels, light.spheres.last, light.group_depth,
-                         albedos.buffer(), 0, 3, pencil, light.phi, first, items, radiance.buffer());
+                         albedos.buffer(), 0, 3, pencil, light.phi, first, items, radiance.buffer(),
+                         shading.image.width > 0 ? 1 : 0, shading.tile, shape, planes[0].buffer(), planes[1].buffer(),
+                         planes[2].buffer());
         },
         light.pencil);
     in.check_unchanged();
     albedos.check_unchanged();
     arriving.check_unchanged();
+    for (const GuardedBuffer<float>& plane : planes) {
+        const std::vector<float> values = plane.read();
+        if (resolved) resolved->insert(resolved->end(), values.begin(), values.end());
+    }
     return radiance.read();
 }
 

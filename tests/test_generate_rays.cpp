@@ -1,4 +1,5 @@
 // generate_rays alone: directions against the reference's, by tiles, over the image's edges and beyond.
+#include "guarded_spheres.h"
 #include "kernel_harness.h"
 #include "pencil.h"
 #include "reference.h"
@@ -17,13 +18,34 @@ std::vector<float> generate(Bench& bench, Width w, const EyePencil& eye, const T
     return dirs.read();
 }
 
-/// Of one ray a work-item, after checking that the other widths give the same bits.
+/// As intersect_closest generates them for itself.
+std::vector<float> generate_and_intersect(Bench& bench, Width w, const Scene& scene, const Tile& tile) {
+    INFO(w);
+    const size_t rays = static_cast<size_t>(tile.blocks) * BLOCK_RAYS;
+    const int items = static_cast<int>(rays) / w.rays();
+    Scene with_sphere = scene;
+    with_sphere.spheres = {{scene.camera.at, 1, {}}};
+    const PencilSpheres spheres = brute(seen_from_eye(bench, with_sphere));
+    const GuardedSpheres in(bench, spheres);
+    const GuardedBuffer<float> dirs(bench, 3 * rays), ts(bench, rays), normals(bench, 3 * rays);
+    const GuardedBuffer<int> ids(bench, rays);
+    const GuardedBuffer<int> counts(bench, std::vector<int>(static_cast<size_t>(items / bench.local + 1)));
+    const Variant variant{Kernel::intersect_closest,
+                          w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_GENERATED"})};
+    bench.launch(bench.programs.get(variant).kernel, items, dirs.buffer(), eye_pencil(scene.camera, scene.image), tile,
+                 eye_basis(scene.camera), in.clusters.buffer(), in.nodes.buffer(), spheres.levels, spheres.last, 1,
+                 items, ts.buffer(), normals.buffer(), ids.buffer(), 0, counts.buffer());
+    return dirs.read();
+}
+
+/// Of one ray a work-item, after checking that the other widths, and intersect_closest, give the same bits.
 std::vector<float> generate(Bench& bench, const Scene& scene, const Tile& tile) {
     const EyePencil eye = eye_pencil(scene.camera, scene.image);
     const std::vector<float> dirs = generate(bench, widths[0], eye, tile);
     for (const Width& w : widths) {
         INFO(w);
         CHECK(same_bits(generate(bench, w, eye, tile), dirs));
+        CHECK(same_bits(generate_and_intersect(bench, w, scene, tile), dirs));
     }
     return dirs;
 }

@@ -76,6 +76,12 @@ TEST_CASE("memory: one view at a time where that takes less", "[memory]") {
     }
 }
 
+TEST_CASE("memory: small tiles do not have views made again for each", "[memory]") {
+    MemoryNeeds needs = needs_of(4);
+    needs.tile_rays = needs.asked_tile_rays = 1 << 14;
+    CHECK_FALSE(plan_memory(needs, {4096 * MiB, 2048 * MiB}).by_view);
+}
+
 TEST_CASE("memory: what does not fit is cut into chunks that do", "[memory]") {
     for (const int64_t spheres : {int64_t{100000}, int64_t{10000000}, int64_t{2000000000}})
         for (const int64_t all : {8 * MiB, 64 * MiB, 512 * MiB, 4096 * MiB})

@@ -12,7 +12,7 @@ int value_of(size_t c, int i, int j) {
     return static_cast<int>(id % 3 == 0 ? 0x7F800001u | id << 1 : id);
 }
 
-struct Planes {
+struct Shape {
     int first_x, first_y, pitch, rows;
     size_t values() const { return static_cast<size_t>(pitch) * static_cast<size_t>(rows); }
 };
@@ -30,7 +30,7 @@ std::vector<int> blocks_of(const Tile& tile, size_t components) {
 }
 
 /// What the tile leaves in plane c: values where it overlaps the image, else what was there.
-void draw(std::vector<int>& plane, const Planes& shape, const Tile& tile, const ImageSize& image, size_t c) {
+void draw(std::vector<int>& plane, const Shape& shape, const Tile& tile, const ImageSize& image, size_t c) {
     const int right = std::min(image.width, tile.x + tile.blocks_x * BLOCK_SIDE);
     const int bottom = std::min(image.height, tile.y + tile.blocks / tile.blocks_x * BLOCK_SIDE);
     for (int j = tile.y; j < bottom; ++j)
@@ -39,7 +39,7 @@ void draw(std::vector<int>& plane, const Planes& shape, const Tile& tile, const 
 }
 
 /// Resolves the tiles one after the other into the same planes, and compares the planes after each.
-void check_resolved(Bench& bench, const std::vector<Tile>& tiles, const ImageSize& image, const Planes& shape,
+void check_resolved(Bench& bench, const std::vector<Tile>& tiles, const ImageSize& image, const Shape& shape,
                     int components, int stream) {
     INFO(image.width << " x " << image.height << ", " << components << " components, STREAM " << stream);
     const Variant variant{Kernel::resolve, {"STREAM=" + std::to_string(stream)}};
@@ -50,9 +50,9 @@ void check_resolved(Bench& bench, const std::vector<Tile>& tiles, const ImageSiz
     for (const Tile& tile : tiles) {
         const GuardedBuffer<int> blocks(bench, blocks_of(tile, static_cast<size_t>(components)));
         const int items = (tile.blocks_x + 1) / 2 * (tile.blocks / tile.blocks_x) * BLOCK_SIDE;
-        bench.launch(bench.programs.get(variant).kernel, items, blocks.buffer(), components, tile, image.width,
-                     image.height, shape.first_x, shape.first_y, shape.pitch, items, planes[0].buffer(),
-                     planes[1].buffer(), planes[2].buffer());
+        bench.launch(bench.programs.get(variant).kernel, items, blocks.buffer(), components, tile,
+                     Planes{image.width, image.height, shape.first_x, shape.first_y, shape.pitch}, items,
+                     planes[0].buffer(), planes[1].buffer(), planes[2].buffer());
         for (size_t c = 0; c < static_cast<size_t>(components); ++c) draw(expected[c], shape, tile, image, c);
         for (size_t c = 0; c < 3; ++c) CHECK(same_bits(planes[c].read(), expected[c]));
         blocks.check_unchanged();
@@ -108,8 +108,7 @@ TEST_CASE("resolve: a plane of the tile alone", "[resolve]") {
     on_every_bench([](Bench& bench) {
         each_way([&](int components, int stream) {
             for (const Tile& tile : {Tile{16, 8, 3, 6}, {40, 16, 4, 8}, {56, 24, 1, 1}, {8, 0, 2, 8}}) {
-                const Planes shape{tile.x, tile.y, tile.blocks_x * BLOCK_SIDE,
-                                   tile.blocks / tile.blocks_x * BLOCK_SIDE};
+                const Shape shape{tile.x, tile.y, tile.blocks_x * BLOCK_SIDE, tile.blocks / tile.blocks_x * BLOCK_SIDE};
                 check_resolved(bench, {tile}, {61, 43}, shape, components, stream);
                 check_resolved(bench, {tile}, {61, 30}, shape, components, stream);
             }

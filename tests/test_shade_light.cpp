@@ -123,6 +123,45 @@ TEST_CASE("shade_light: without shadows all that faces the light is lit", "[shad
     });
 }
 
+TEST_CASE("shade_light: the last light's launch resolves what it leaves", "[shade_light]") {
+    with_each_light([](Bench& bench, const Scene& scene, const Receivers& hits, const LightSetup& setup, const Light&,
+                       Random& random) {
+        // 12 blocks in rows of odd and even length, cut at the image's edges and not.
+        for (const auto& [tile, image] : {std::pair{Tile{0, 0, 4, 12}, ImageSize{32, 24}},
+                                          {{0, 0, 3, 12}, {21, 30}},
+                                          {{0, 0, 12, 12}, {96, 5}},
+                                          {{8, 16, 6, 12}, {55, 32}},
+                                          {{0, 0, 1, 12}, {8, 96}}}) {
+            INFO(image.width << " x " << image.height << ", " << tile.blocks_x << " blocks in a row");
+            Shading kept{"SHADOWS_TRACED", {}, radiance_before(random, hits.size()), false};
+            const std::vector<float> blocks = shade(bench, widths[0], scene, hits, setup, kept);
+            const auto pixels = static_cast<size_t>(image.width * image.height);
+            std::vector<float> expected = sentinels<float>(3 * pixels);
+            for (size_t ray = 0; ray < hits.size(); ++ray) {
+                const int block = static_cast<int>(ray / BLOCK_RAYS), inner = static_cast<int>(ray % BLOCK_RAYS);
+                const int x = tile.x + block % tile.blocks_x * BLOCK_SIDE + inner % BLOCK_SIDE;
+                const int y = tile.y + block / tile.blocks_x * BLOCK_SIDE + inner / BLOCK_SIDE;
+                if (x >= image.width || y >= image.height) continue;
+                for (size_t c = 0; c < 3; ++c)
+                    expected[c * pixels + static_cast<size_t>(y * image.width + x)] = blocks[place(ray, c, 3)];
+            }
+            kept.tile = tile;
+            kept.image = image;
+            for (const Width& w : widths) {
+                if (!has_whole_blocks(bench, w)) continue;
+                std::vector<float> resolved;
+                CHECK(same_bits(shade(bench, w, scene, hits, setup, kept, &resolved), blocks));
+                CHECK(same_bits(resolved, expected));
+                Shading not_last = kept;
+                not_last.image = {0, 0};
+                resolved.clear();
+                shade(bench, w, scene, hits, setup, not_last, &resolved);
+                CHECK(same_bits(resolved, sentinels<float>(resolved.size())));
+            }
+        }
+    });
+}
+
 TEST_CASE("shade_light: the colour is that of each hit's own id", "[shade_light]") {
     on_every_bench([](Bench& bench) {
         // Every ray of a packet has another id, 0 and the last among them; exact numbers.
