@@ -10,23 +10,25 @@
 #include "resolve.h"
 #include "shadow.h"
 
-// The albedo of LANES ids, `stride` floats apart, by a loop over the distinct ones, of which neighbours have few:
-// gathers are slower.
-static inline vec3w albedo_of(global const float* restrict albedos, int stride, intw id, intw wanted) {
-    vec3w albedo = {wide(0.0f), wide(0.0f), wide(0.0f)};
-    for (int next; (next = REDUCE(highest, wanted ? id : (intw)(-1))) >= 0;) {
-        const intw same = id == next;
-        const float3 found = vload3(0, albedos + (size_t)next * stride);
-        albedo = select_w(same, broadcast((Float3){found.x, found.y, found.z}), albedo);
-        wanted = wanted & !same;
-    }
-    return albedo;
-}
-
 typedef struct {
     global const float* values;
     int stride;  // from id to id, 0 where all are the same
 } Albedos;
+
+// Those of the ids of packet k, by a loop over the distinct ones, of which neighbours have few: gathers are slower, and
+// so is finding the next id in a register.
+static inline vec3w albedo_of(Albedos albedos, global const int* ids, int item, int k, intw wanted) {
+    const intw id = load_i(ids, item, k);
+    vec3w albedo = {wide(0.0f), wide(0.0f), wide(0.0f)};
+    for (int rest = lane_bits(wanted); rest;) {
+        const int next = ids[lane_address(item, k, 0, 1) + (size_t)lowest_bit(rest)];
+        const intw same = id == next;
+        const float3 found = vload3(0, albedos.values + (size_t)next * albedos.stride);
+        albedo = select_w(same, broadcast((Float3){found.x, found.y, found.z}), albedo);
+        rest &= ~lane_bits(same);
+    }
+    return albedo;
+}
 
 // Adds what the light gives the hits of packet k, of which `share` arrives.
 static inline void add_light(Hits hits, Albedos albedos, Float3 phi, floatw share, int first, int item, int k,
@@ -40,7 +42,7 @@ static inline void add_light(Hits hits, Albedos albedos, Float3 phi, floatw shar
 #if ALBEDOS_OF_RAYS
         const vec3w albedo = load_3(albedos.values, item, k);
 #else
-        const vec3w albedo = albedo_of(albedos.values, albedos.stride, load_i(hits.ids, item, k), lit);
+        const vec3w albedo = albedo_of(albedos, hits.ids, item, k, lit);
 #endif
         const vec3w reflected = scale_w(share, albedo);
         sum = (vec3w){fma(reflected.x, wide(phi.x), sum.x), fma(reflected.y, wide(phi.y), sum.y),

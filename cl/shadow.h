@@ -21,9 +21,11 @@ typedef struct {
 
 // What arrives (arriving(), > 0) at the hits of packet k if nothing is in between, else 0.
 static inline floatw unshadowed(Hits hits, LightPencil light, int item, int k) {
+    const intw hit = load_i(hits.ids, item, k) >= 0;
+    if (!any_lane(hit)) return wide(0.0f);
     const vec3w position = scale_w(load_f(hits.ts, item, k), load_3(hits.dirs, item, k));
     const floatw share = arriving(light, position, load_3(hits.normals, item, k));
-    const intw lit = (load_i(hits.ids, item, k) >= 0) & (share > 0.0f);
+    const intw lit = hit & (share > 0.0f);
     return lit ? share : wide(0.0f);
 }
 
@@ -35,15 +37,14 @@ static inline int any_open(const intw* open) {
 
 // Takes from the open hits that the sphere occludes what they had; the result is not 0 when there were any.
 static inline int occlude(PencilSphere s, const ShadowRay* ray, const intw* id, intw* open, floatw* share) {
-    int changed = 0;
+    intw changed = 0;
     FOR_PACKETS(k) {
         const intw closes = open[k] & occludes(s, ray[k]) & (id[k] != s.id);
-        if (!any_lane(closes)) continue;
         share[k] = closes ? wide(0.0f) : share[k];
         open[k] &= !closes;
-        changed = 1;
+        changed |= closes;
     }
-    return changed;
+    return any_lane(changed);
 }
 
 // Traces the open rays as one fat ray.

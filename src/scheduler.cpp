@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace gnomon {
 
 namespace {
 
-// The host runs this many tiles ahead of the device before it waits, so that waiting costs no device time, and progress
-// and memory for events stay bounded.
-constexpr size_t tiles_ahead = 8;
+// The host runs this many tiles ahead of the device before it waits: each time it wakes it takes a core from a device
+// that is the CPU. Memory for events stays bounded.
+constexpr size_t tiles_ahead = 256;
 
 bool meets_spheres(Kernel kernel, const Plan& plan) {
     return kernel == Kernel::intersect_closest || kernel == Kernel::intersect_shadow ||
@@ -44,18 +45,26 @@ Measured Scheduler::run(const std::function<void(double)>& progress) {
     cl::Event cleared;
     queue_.enqueueFillBuffer(hit_counts_, 0, 0, static_cast<size_t>(groups_) * sizeof(int), nullptr, &cleared);
     for (Slot& slot : slots_) slot.busy = {cleared};
-    for (size_t tile = 0; tile < count + tiles_ahead; ++tile) {
-        if (tile < count) enqueue(tile);
-        if (tile < tiles_ahead || tile - tiles_ahead >= count) continue;
-        collect(tile - tiles_ahead);
-        if (progress) progress(static_cast<double>(tile - tiles_ahead + 1) / static_cast<double>(count));
+    for (size_t tile = 0; tile < count; ++tile) {
+        enqueue(tile);
+        if (tile >= tiles_ahead) await(tile - tiles_ahead, progress);
     }
+    if (progress)
+        for (size_t tile = count - std::min(count, tiles_ahead); tile < count; ++tile) await(tile, progress);
+    queue_.finish();
+    for (size_t tile = 0; tile < count; ++tile) collect(tile);
+    std::vector<int> hits(static_cast<size_t>(groups_));
+    queue_.enqueueReadBuffer(hit_counts_, CL_FALSE, 0, hits.size() * sizeof(int), hits.data());
     if (plan_.write_in_place) map_film();
     queue_.finish();
-    std::vector<int> hits(static_cast<size_t>(groups_));
-    queue_.enqueueReadBuffer(hit_counts_, CL_TRUE, 0, hits.size() * sizeof(int), hits.data());
     measured_.hits = std::accumulate(hits.begin(), hits.end(), int64_t{0});
     return measured_;
+}
+
+void Scheduler::await(size_t tile, const std::function<void(double)>& progress) {
+    launched_[tile].back().event.wait();
+    collect(tile);
+    if (progress) progress(static_cast<double>(tile + 1) / static_cast<double>(plan_.tiles.size()));
 }
 
 void Scheduler::enqueue(size_t index) {
@@ -125,9 +134,8 @@ void Scheduler::read_planes(Output output, const Tile& tile, Slot& slot) {
     }
 }
 
-/// Waits for a tile and adds up what its launches took.
+/// Adds up what the launches of a tile took that has ended.
 void Scheduler::collect(size_t tile) {
-    launched_[tile].back().event.wait();
     for (const Launched& l : launched_[tile]) {
         measured_.launches[static_cast<size_t>(l.variant)] += 1;
         measured_.seconds[static_cast<size_t>(l.variant)] += seconds_of(l.event);
@@ -138,12 +146,14 @@ void Scheduler::collect(size_t tile) {
 /// A buffer over host memory shows its values there once it is mapped (OpenCL 1.2, 5.2.1); on a device that shares the
 /// memory that copies nothing.
 void Scheduler::map_film() {
-    queue_.finish();
+    std::vector<std::pair<cl::Buffer, void*>> mapped;
     for (const Output output : {Output::radiance, Output::distance, Output::normal, Output::id})
         for (const cl::Buffer& plane : binder_->planes(output)) {
             const size_t bytes = plane.getInfo<CL_MEM_SIZE>();
-            queue_.enqueueUnmapMemObject(plane, queue_.enqueueMapBuffer(plane, CL_TRUE, CL_MAP_READ, 0, bytes));
+            mapped.emplace_back(plane, queue_.enqueueMapBuffer(plane, CL_FALSE, CL_MAP_READ, 0, bytes));
         }
+    queue_.finish();
+    for (const auto& [plane, at] : mapped) queue_.enqueueUnmapMemObject(plane, at);
 }
 
 }  // namespace gnomon

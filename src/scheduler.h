@@ -53,6 +53,7 @@ class Scheduler {
     void look_up_albedos(const Tile& tile, Slot& slot);
     const SphereBuffers& resident_spheres(const Step& step) const;
     void read_planes(Output output, const Tile& tile, Slot& slot);
+    void await(size_t tile, const std::function<void(double)>& progress);
     void collect(size_t tile);
     void map_film();
 
