@@ -9,6 +9,11 @@ double seconds_of(const cl::Event& event) {
                                       event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
 }
 
+double seconds_since_asked(const cl::Event& event) {
+    return 1e-9 * static_cast<double>(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
+                                      event.getProfilingInfo<CL_PROFILING_COMMAND_QUEUED>());
+}
+
 void Launcher::enqueue(const Variant& variant, const cl::Kernel& kernel, int items, int local) {
     const auto group = static_cast<size_t>(local), groups = (static_cast<size_t>(items) + group - 1) / group;
     cl::Event done;

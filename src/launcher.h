@@ -17,6 +17,8 @@ void set_arguments(cl::Kernel& kernel, const Arguments&... arguments) {
 
 /// The device's own time of a command that has ended.
 double seconds_of(const cl::Event& event);
+/// From when the host asked for it to its end.
+double seconds_since_asked(const cl::Event& event);
 
 class Launcher {
   public:
@@ -38,6 +40,8 @@ class Launcher {
     /// Waits for all of it, and reads one value.
     int read_int(const cl::Buffer& buffer);
     void finish();
+    /// What must have ended before anything else may read what the launches write; empty after finish().
+    const std::vector<cl::Event>& last() const { return last_; }
 
     /// What was launched since the last time this was asked; call finish() first.
     std::vector<Launched> take_launched();

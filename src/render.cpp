@@ -169,11 +169,13 @@ struct Renderer::State {
         SceneBuffers buffers =
             prepare(sphere_kernels, job.scene, job.survey, job.frame, chunks ? nullptr : &spheres.clusters, job.plan);
         buffers.albedos = spheres.rows.albedos;
-        launcher.finish();
-        const double prepared_at = now();
+        if (chunks) launcher.finish();
+        const std::vector<cl::Event> ready = launcher.last();
+        const double asked_at = now();
         Scheduler scheduler(context, queue, memory, job.plan, buffers, tiles.get(memory, job.plan), kernels, film);
         if (chunks) scheduler.take_spheres_from(*chunks);
-        measured(job.plan, scheduler.run(job.options.progress), stats);
+        measured(job.plan, scheduler.run(ready, job.options.progress), stats);
+        const double prepared_at = asked_at + (ready.empty() ? 0 : seconds_since_asked(ready.front()));
         add(job.plan, launcher.take_launched(), stats);
         stats.chunks = chunks ? chunks->chunks() : 1;
         stats.prepare_seconds += prepared_at - start;

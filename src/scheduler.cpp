@@ -35,7 +35,7 @@ Scheduler::Scheduler(const cl::Context& context, const cl::CommandQueue& queue, 
     binder_.emplace(context, plan, scene, film, hit_counts_);
 }
 
-Measured Scheduler::run(const std::function<void(double)>& progress) {
+Measured Scheduler::run(const std::vector<cl::Event>& after, const std::function<void(double)>& progress) {
     // Commands under way write into the film and the counts: never leave before they have ended.
     struct Finish {
         cl::CommandQueue& queue;
@@ -43,7 +43,7 @@ Measured Scheduler::run(const std::function<void(double)>& progress) {
     } finish{queue_};
     const size_t count = plan_.tiles.size();
     cl::Event cleared;
-    queue_.enqueueFillBuffer(hit_counts_, 0, 0, static_cast<size_t>(groups_) * sizeof(int), nullptr, &cleared);
+    queue_.enqueueFillBuffer(hit_counts_, 0, 0, static_cast<size_t>(groups_) * sizeof(int), &after, &cleared);
     for (Slot& slot : slots_) slot.busy = {cleared};
     for (size_t tile = 0; tile < count; ++tile) {
         enqueue(tile);

@@ -31,8 +31,8 @@ class Scheduler {
     /// Where the spheres are if the plan cuts the scene.
     void take_spheres_from(ChunkedSpheres& chunks) { chunks_ = &chunks; }
 
-    /// Launches everything and waits for it; the film is then complete.
-    Measured run(const std::function<void(double)>& progress);
+    /// Launches everything, after these events, and waits for it; the film is then complete.
+    Measured run(const std::vector<cl::Event>& after, const std::function<void(double)>& progress);
 
   private:
     /// A tile under way: its buffers, and the events after which they are free.
