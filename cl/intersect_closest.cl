@@ -21,18 +21,26 @@ typedef struct {
     vec3w center;
 } Hit;
 
-// 0 when no ray can have a closer hit now than before.
-static inline int intersect(PencilSphere s, vec3w dir, Hit* hit) {
-    const floatw b = dot_f(s.center, dir);
-    const floatw discriminant = sphere_discriminant(s, dir, b);
-    const intw meets = sphere_meets(s, b, discriminant);
-    if (!any_lane(meets)) return 0;
-    const floatw t = sphere_root(s, b, discriminant);
-    // Of equal distances the lowest id's.
-    const intw closer = meets & (t > 0.0f) & ((t < hit->t) | ((t == hit->t) & (hit->id > s.id)));
-    hit->t = closer ? t : hit->t;
-    hit->id = closer ? (intw)(s.id) : hit->id;
-    hit->center = select_w(closer, broadcast(s.center), hit->center);
+// 0 when no ray can have a closer hit now than before. Without a branch for each packet, which would be guessed wrong
+// half of the time.
+static inline int intersect(PencilSphere s, const vec3w* dir, Hit* hit) {
+    floatw b[PACKETS], discriminant[PACKETS];
+    intw meets[PACKETS], any = 0;
+    FOR_PACKETS(k) {
+        b[k] = dot_f(s.center, dir[k]);
+        discriminant[k] = sphere_discriminant(s, dir[k], b[k]);
+        meets[k] = sphere_meets(s, b[k], discriminant[k]);
+        any |= meets[k];
+    }
+    if (!any_lane(any)) return 0;
+    FOR_PACKETS(k) {
+        const floatw t = sphere_root(s, b[k], discriminant[k]);
+        // Of equal distances the lowest id's.
+        const intw closer = meets[k] & (t > 0.0f) & ((t < hit[k].t) | ((t == hit[k].t) & (hit[k].id > s.id)));
+        hit[k].t = closer ? t : hit[k].t;
+        hit[k].id = closer ? (intw)(s.id) : hit[k].id;
+        hit[k].center = select_w(closer, broadcast(s.center), hit[k].center);
+    }
     return 1;
 }
 
@@ -87,7 +95,7 @@ kernel void intersect_closest(global float* restrict dirs, const EyePencil eye, 
         int closer = 0;
         for (int rest = candidates(fat, clusters + c); rest; rest &= rest - 1) {
             const PencilSphere s = sphere_of(clusters + c, lowest_bit(rest));
-            FOR_PACKETS(k) closer |= intersect(s, dir[k], &hit[k]);
+            closer |= intersect(s, dir, hit);
         }
 #if WALK == WALK_NODES
         if (!closer) continue;
