@@ -5,9 +5,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cstdint>
-
 #include <cerrno>
+#include <cstdint>
 #include <system_error>
 
 #include "error.h"

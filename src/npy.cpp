@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cstdint>
+
 #include "bytes.h"
 #include "error.h"
 #include "json_parse.h"

@@ -7,6 +7,7 @@
 #include "bytes.h"
 #include "error.h"
 #include "json_parse.h"
+#include "text_lines.h"
 
 namespace gnomon {
 
@@ -109,7 +110,7 @@ class DictReader {
         return "found " + (keys.empty() ? "no keys" : keys) + " in the header, expected ";
     }
     [[noreturn]] void refuse(const std::string& expected) const {
-        const std::string found = rest_.empty() ? "the header's end" : quote(std::string(rest_.substr(0, 64)));
+        const std::string found = rest_.empty() ? "the header's end" : quote_start(rest_);
         throw Error(Blame::input, "found " + found + " in the header, expected " + expected, path_);
     }
 

@@ -114,7 +114,7 @@ class HeaderReader {
     }
 
     [[noreturn]] void refuse(const std::string& expected) const {
-        throw Error(Blame::input, "found " + quote(std::string(line_.substr(0, 64))) + ", expected " + expected,
+        throw Error(Blame::input, "found " + quote_start(line_) + ", expected " + expected,
                     path_ + ": line " + std::to_string(lines_.number()));
     }
 

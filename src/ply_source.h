@@ -89,7 +89,7 @@ class PlyText {
     }
     void end(const PlyRecord& record) {
         const std::string_view more = words_.next();
-        if (!more.empty()) record.refuse("found " + shown(more) + " after the last property");
+        if (!more.empty()) record.refuse("found " + quote_start(more) + " after the last property");
     }
 
     template <class T>
@@ -98,7 +98,7 @@ class PlyText {
         T number{};
         if (parse(word, number)) return number;
         if (word.empty()) record.refuse("the line ends before the last property");
-        record.refuse("found " + shown(word) + ", expected a number that its type can hold");
+        record.refuse("found " + quote_start(word) + ", expected a number that its type can hold");
     }
 
     void skip(PlyType, int64_t count, const PlyRecord& record) {
@@ -113,8 +113,6 @@ class PlyText {
     }
 
   private:
-    static std::string shown(std::string_view word) { return quote(std::string(word.substr(0, 64))); }
-
     TextLines lines_;
     Words words_{""};
 };

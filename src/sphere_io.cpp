@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
+#include <memory>
 
 #include "error.h"
 #include "mapped_file.h"
 #include "npy.h"
 #include "ply.h"
 #include "table_rows.h"
+#include "text_lines.h"
 #include "xyz.h"
 
 namespace gnomon {
@@ -28,9 +29,7 @@ constexpr std::array<Format, 4> formats{{{".npy", read_npy, "row", 0},
                                          {".extxyz", read_xyz, "line", xyz_first_line}}};
 
 const Format& format_of(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = lower_case(std::filesystem::path(path).extension().string());
     const auto same = [&](const Format& format) { return extension == format.extension; };
     const auto found = std::find_if(formats.begin(), formats.end(), same);
     if (found != formats.end()) return *found;

@@ -1,6 +1,8 @@
 // Text files as lines, lines as words, words as numbers.
 #pragma once
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
@@ -8,7 +10,23 @@
 #include <string_view>
 #include <type_traits>
 
+#include "json_parse.h"
+
 namespace gnomon {
+
+/// Of ASCII letters; all else stays.
+inline std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
+}
+
+/// Text from a file, which may be very long, as a message shows it.
+inline std::string quote_start(std::string_view text) {
+    constexpr size_t most = 64;  // no less than quote() leaves
+    return quote(std::string(text.substr(0, most)));
+}
 
 /// The lines of a text, one after another. They end with a line feed, or with a carriage return before it.
 class TextLines {

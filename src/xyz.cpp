@@ -53,7 +53,7 @@ class XyzReader {
         const std::string_view word = words.next();
         int64_t count = 0;
         if (!parse(word, count) || count < 0 || !words.next().empty())
-            refuse("found " + shown(line_) + ", expected the number of atoms");
+            refuse("found " + quote_start(line_) + ", expected the number of atoms");
         expect_few_spheres(count, where());
         return count;
     }
@@ -112,15 +112,16 @@ class XyzReader {
                     break;
             }
         if (const std::string_view more = words.next(); !more.empty())
-            refuse("found " + shown(more) + " after the last column", give_columns);
+            refuse("found " + quote_start(more) + " after the last column", give_columns);
         if (element_gives_radius_ || element_gives_albedo_) fill_from_element(species, row);
     }
 
     void fill_from_element(std::string_view species, double* row) const {
         const Element* element = find_element(species);
-        if (!element) refuse("found the unknown species " + shown(species) + ", expected an element", give_both);
+        if (!element) refuse("found the unknown species " + quote_start(species) + ", expected an element", give_both);
         if (element_gives_radius_) {
-            if (element->radius == 0) refuse("no van der Waals radius is published for " + shown(species), give_both);
+            if (element->radius == 0)
+                refuse("no van der Waals radius is published for " + quote_start(species), give_both);
             row[radius_column] = element->radius;
         }
         if (!element_gives_albedo_) return;
@@ -140,17 +141,16 @@ class XyzReader {
     void read_numbers(Words& words, int count, double* numbers) const {
         for (int i = 0; i < count; ++i) {
             const std::string_view word = next_word(words);
-            if (!parse(word, numbers[i])) refuse("found " + shown(word) + ", expected a number");
+            if (!parse(word, numbers[i])) refuse("found " + quote_start(word) + ", expected a number");
         }
     }
 
     void expect_end() {
         while (lines_.next(line_))
             if (!Words(line_).next().empty())
-                refuse("found " + shown(line_) + " after the last atom", "only a file's one frame is read");
+                refuse("found " + quote_start(line_) + " after the last atom", "only a file's one frame is read");
     }
 
-    static std::string shown(std::string_view text) { return quote(std::string(text.substr(0, 64))); }
     std::string where() const { return path_ + ": line " + std::to_string(lines_.number()); }
     [[noreturn]] void refuse(const std::string& what, const std::string& hint = "") const {
         throw Error(Blame::input, what, where(), hint);

@@ -1,7 +1,6 @@
 #include "xyz_header.h"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 
 #include "error.h"
@@ -27,12 +26,6 @@ std::string take_value(std::string_view& rest) {
     return value;
 }
 
-bool is_properties(std::string key) {
-    std::transform(key.begin(), key.end(), key.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return key == "properties";
-}
-
 /// The value of the key Properties among the pairs of a comment, which may as well be free text; empty without.
 std::string properties_of(std::string_view comment) {
     while (true) {
@@ -44,7 +37,7 @@ std::string properties_of(std::string_view comment) {
         comment.remove_prefix(end + (has_value ? 1 : 0));
         if (!has_value) continue;
         const std::string value = take_value(comment);
-        if (is_properties(key)) return value;
+        if (lower_case(key) == "properties") return value;
     }
 }
 
