@@ -201,7 +201,12 @@ TEST_CASE("defaults go before an element, and a column before defaults", "[spher
     const std::string sized = "1\nProperties=radius:R:1:species:S:1:pos:R:3\n";
     check_rows(load(sized + "9 A7 1 2 3", green_of_radius_2), {{1, 2, 3, 9, 0.25, 0.5, 0.125}});
     CHECK(load(sized + "9 H 1 2 3", {2.0, {}})[0].radius == 9);
-    check_rows(load("1\nproperties=pos:R:3\n1 2 3", {2.0, {}}), {{1, 2, 3, 2, 1, 1, 1}});
+    for (const std::string comment :
+         {"properties=pos:R:3", "Properties = pos:R:3", "t =1 Properties\t= \"pos:R:3\" a= b",
+          "a = b \"c\" energy= Properties= pos:R:3", "= == Properties=pos:R:3 pbc ="}) {
+        INFO(comment);
+        check_rows(load("1\n" + comment + "\n1 2 3", {2.0, {}}), {{1, 2, 3, 2, 1, 1, 1}});
+    }
 }
 
 TEST_CASE("rows that reflect more than arrives are found", "[sphere_io]") {
