@@ -73,7 +73,7 @@ class PlyReader {
                 skip(property, record);
                 continue;
             }
-            const T value = source_.template number<T>(property.type, record);
+            const T value = source_.template number<T>(property, record);
             const bool is_byte = column >= albedo_column && property.type == PlyType::uint8;
             row[column] = is_byte ? value / most_of_a_byte : value;
         }
@@ -90,10 +90,10 @@ class PlyReader {
     }
 
     void skip(const PlyProperty& property, const PlyRecord& record) {
-        if (!property.length_type) return source_.skip(property.type, 1, record);
-        const auto length = source_.template number<int64_t>(*property.length_type, record);
+        if (!property.length_type) return source_.skip(property, 1, record);
+        const int64_t length = source_.length(property, record);
         if (length < 0) record.refuse(fmt::format("found a list of {} items", length));
-        source_.skip(property.type, length, record);
+        source_.skip(property, length, record);
     }
 
     const PlyHeader& header_;

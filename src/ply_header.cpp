@@ -129,6 +129,12 @@ class HeaderReader {
 
 int size_of(PlyType type) { return types[static_cast<size_t>(type)].size; }
 
+PlyIntegers integers_of(PlyType type) {
+    const bool is_signed = type == PlyType::int8 || type == PlyType::int16 || type == PlyType::int32;
+    const int64_t count = int64_t{1} << 8 * size_of(type);
+    return is_signed ? PlyIntegers{-count / 2, count / 2 - 1} : PlyIntegers{0, count - 1};
+}
+
 int64_t PlyElement::least_size(PlyFormat format) const {
     if (format == PlyFormat::ascii) return least_bytes(static_cast<int64_t>(properties.size()));
     int64_t size = 0;

@@ -219,10 +219,11 @@ TEST_CASE("damaged PLY data is refused", "[sphere_io]") {
             {ply(two), {"found 0 bytes, too few for 2 of element \"vertex\"", "was the file written to its end?"}},
             {ply(two) + "1 2 3 4\n1 2 3\n", {"vertex 1: the line ends before the last property"}},
             {ply(two) + "1 2 3 4 5\n1 2 3 4\n", {"vertex 0: found \"5\" after the last property"}},
-            {ply(two) + "1 2 3 4\n1 2,5 3 4\n", {"vertex 1: found \"2,5\", expected a number"}},
+            {ply(two) + "1 2 3 4\n1 2,5 3 4\n",
+             {"vertex 1: found y \"2,5\", expected a number from -3.4028234e38 to 3.4028234e38"}},
             {ply(two) + "1 2 3 4\n1 2 3 1e39\n",
-             {"vertex 1: found \"1e39\", expected a number that its type can hold"}},
-            {ply(two) + "1 2 3 4\n1 2 3 +-4\n", {"vertex 1: found \"+-4\", expected a number"}},
+             {"vertex 1: found radius \"1e39\", expected a number from -3.4028234e38"}},
+            {ply(two) + "1 2 3 4\n1 2 3 +-4\n", {"vertex 1: found radius \"+-4\", expected a number"}},
             {ply(two) + "1 2 3 4\n1 2 3 4\n\n 5\n", {"found 2 bytes after the last element"}},
             {ply(two, little) + bytes.substr(1), {"found 31 bytes, too few for 2 of element \"vertex\""}},
             {ply(two, little) + bytes + "xy", {"found 2 bytes after the last element"}},
@@ -234,9 +235,33 @@ TEST_CASE("damaged PLY data is refused", "[sphere_io]") {
             {ply(list, little) + bytes_of(int32_t{2}) + "x", {"face 0: the file ends here"}},
             {ply(list, little) + bytes_of(int32_t{0x7FFFFFFF}), {"face 0: the file ends here"}},
             {ply(list) + "-1\n", {"face 0: found a list of -1 items"}},
+            {ply(list) + "2 0 256\n", {"face 0: found v \"256\", expected an integer from 0 to 255"}},
             {ply(list) + "3 0 1\n", {"face 0: the line ends before the last property"}},
-            {ply(list) + "x\n", {"face 0: found \"x\", expected a number"}},
+            {ply(list) + "x\n", {"face 0: found v \"x\", expected an integer from -2147483648 to 2147483647"}},
         });
+}
+
+TEST_CASE("words of a PLY file that its types cannot hold are refused", "[sphere_io]") {
+    const auto check = [&](const std::string& type, const std::string& word, const std::string& expected) {
+        const std::string message = "vertex 1: found w \"" + word + "\", expected " + expected;
+        const std::string head = "property " + type + " w\n" + vertices;  // skipped, and checked as those that are used
+        const std::string zero = type.rfind("list", 0) == 0 ? "0" : "7";
+        check_refused("a.ply",
+                      {{ply("element vertex 2\n" + head) + zero + " 1 2 3 4\n" + word + " 1 2 3 4\n", {message}}});
+    };
+    for (const std::string word : {"-129", "128", "1e9", "1.5", "7.0", "x", "99999999999999999999"})
+        check("char", word, "an integer from -128 to 127");
+    for (const std::string word : {"-1", "256", "1.5"}) check("uint8", word, "an integer from 0 to 255");
+    check("short", "32768", "an integer from -32768 to 32767");
+    check("ushort", "65536", "an integer from 0 to 65535");
+    check("int", "2147483648", "an integer from -2147483648 to 2147483647");
+    check("uint", "4294967296", "an integer from 0 to 4294967295");
+    check("float", "abc", "a number from -3.4028234e38 to 3.4028234e38");
+    check("double", "1e309", "a number from -1.7976931e308 to 1.7976931e308");
+    check("list uchar int", "300", "an integer from 0 to 255");
+    const std::string colors = "property uchar red\nproperty uchar green\nproperty uchar blue\n" + vertices;
+    check_refused("a.ply", {{ply("element vertex 1\n" + colors) + "0 255 300 1 2 3 4\n",
+                             {"vertex 0: found blue \"300\", expected an integer from 0 to 255"}}});
 }
 
 TEST_CASE("damaged XYZ files are refused", "[sphere_io]") {
