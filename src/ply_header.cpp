@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "error.h"
 #include "json_parse.h"
@@ -77,8 +78,8 @@ class HeaderReader {
         PlyElement element{std::string(words.next()), 0, {}};
         const bool good = parse(words.next(), element.count) && element.count >= 0 && words.next().empty();
         if (!good) refuse("\"element\" with a name and a count from 0");
-        for (const PlyElement& other : header_.elements)
-            if (other.name == element.name) refuse("each element once");
+        if (!element_names_.insert(element.name).second) refuse("each element once");
+        property_names_.clear();
         header_.elements.push_back(std::move(element));
     }
 
@@ -94,10 +95,8 @@ class HeaderReader {
         property.type = read_type(type);
         property.name = words.next();
         if (property.name.empty() || !words.next().empty()) refuse("\"property\" with a type and a name");
-        std::vector<PlyProperty>& properties = header_.elements.back().properties;
-        for (const PlyProperty& other : properties)
-            if (other.name == property.name) refuse("each property of an element once");
-        properties.push_back(std::move(property));
+        if (!property_names_.insert(property.name).second) refuse("each property of an element once");
+        header_.elements.back().properties.push_back(std::move(property));
     }
 
     PlyType read_type(std::string_view word) const {
@@ -123,6 +122,7 @@ class HeaderReader {
     const std::string& path_;
     std::string_view line_;
     PlyHeader header_{};
+    std::set<std::string> element_names_, property_names_;  ///< the latter of the latest element
 };
 
 }  // namespace
