@@ -34,8 +34,9 @@ class HeaderReader {
     HeaderReader(std::string_view bytes, const std::string& path) : bytes_(bytes), lines_(bytes), path_(path) {}
 
     PlyHeader read() {
-        next_line();
-        if (line_ != "ply") throw Error(Blame::input, "found no PLY file: the first line is not \"ply\"", path_);
+        constexpr std::string_view magic = "ply";
+        if (bytes_.substr(0, magic.size()) != magic || next_line() != magic)
+            throw Error(Blame::input, "found no PLY file: the first line is not \"ply\"", path_);
         read_format();
         while (next_line() != "end_header") read_statement();
         finish_element();
@@ -45,6 +46,8 @@ class HeaderReader {
 
   private:
     std::string_view next_line() {
+        if (!lines_.ends_within(longest_header_line))
+            throw Error(Blame::input, "found no line end within 1 MiB", path_ + line_name(lines_.number() + 1));
         if (!lines_.next(line_)) throw Error(Blame::input, "the file ends in the header: found no end_header", path_);
         return line_;
     }
@@ -112,9 +115,10 @@ class HeaderReader {
         throw Error(Blame::input, "element " + quote(header_.elements.back().name) + " has no properties", path_);
     }
 
+    static std::string line_name(int64_t number) { return ": line " + std::to_string(number); }
     [[noreturn]] void refuse(const std::string& expected) const {
         throw Error(Blame::input, "found " + quote_start(line_) + ", expected " + expected,
-                    path_ + ": line " + std::to_string(lines_.number()));
+                    path_ + line_name(lines_.number()));
     }
 
     std::string_view bytes_;

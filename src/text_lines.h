@@ -28,6 +28,10 @@ inline std::string quote_start(std::string_view text) {
     return quote(std::string(text.substr(0, most)));
 }
 
+/// The longest line of a header, in bytes: a comment, or the columns' names, hundred thousand of them. Only so far is a
+/// line's end looked for, since a damaged file may have none in all its terabytes.
+constexpr size_t longest_header_line = size_t{1} << 20;
+
 /// The lines of a text, one after another. They end with a line feed, or with a carriage return before it.
 class TextLines {
   public:
@@ -43,6 +47,11 @@ class TextLines {
         rest_.remove_prefix(feed ? size + 1 : size);
         ++number_;
         return true;
+    }
+
+    /// Whether the next line ends within so many bytes.
+    bool ends_within(size_t most) const {
+        return rest_.size() <= most || std::memchr(rest_.data(), '\n', most) != nullptr;
     }
 
     int64_t number() const { return number_; }  ///< of the latest line, from 1

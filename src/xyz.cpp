@@ -27,7 +27,7 @@ class XyzReader {
 
     SphereTable read() {
         const int64_t count = read_count();
-        next_line("the comment");
+        next_header_line("the comment");
         columns_ = read_xyz_columns(line_, where());
         expect_room(count);
         plan();
@@ -47,8 +47,15 @@ class XyzReader {
                         path_ + ": line " + std::to_string(lines_.number() + 1));
     }
 
+    void next_header_line(const char* expected) {
+        if (!lines_.ends_within(longest_header_line))
+            throw Error(Blame::input, "found no line end within 1 MiB",
+                        path_ + ": line " + std::to_string(lines_.number() + 1));
+        next_line(expected);
+    }
+
     int64_t read_count() {
-        next_line("the number of atoms");
+        next_header_line("the number of atoms");
         Words words(line_);
         const std::string_view word = words.next();
         int64_t count = 0;

@@ -54,6 +54,7 @@ std::string ply(const std::string& body, const std::string& format = "ascii") {
 
 const std::string vertices =
     "property float x\nproperty float y\nproperty float z\nproperty float radius\nend_header\n";
+const std::string long_line((1 << 20) + 1, '0');  // longer than any of a header
 const std::string two = "element vertex 2\n" + vertices;
 const std::string little = "binary_little_endian";
 
@@ -177,6 +178,10 @@ TEST_CASE("damaged PLY headers are refused", "[sphere_io]") {
         "a.ply",
         {
             {"plywood\n", {"found no PLY file: the first line is not \"ply\""}},
+            {"plywood" + long_line, {"found no line end within 1 MiB"}},
+            {"x" + long_line, {"found no PLY file"}},
+            {"ply\n" + long_line, {"line 2: found no line end within 1 MiB"}},
+            {ply("comment" + long_line), {"line 3: found no line end within 1 MiB"}},
             {"ply\n", {"the file ends in the header: found no end_header"}},
             {"ply\nformat ascii 2.0\n", {"line 2: found \"format ascii 2.0\", expected \"format\" with ascii,"}},
             {"ply\ncomment first\n", {"line 2: found \"comment first\", expected \"format\""}},
@@ -269,6 +274,8 @@ TEST_CASE("damaged XYZ files are refused", "[sphere_io]") {
     check_refused(
         "a.xyz",
         {
+            {long_line, {"line 1: found no line end within 1 MiB"}},
+            {"1\n" + long_line, {"line 2: found no line end within 1 MiB"}},
             {"x\n", {"line 1: found \"x\", expected the number of atoms"}},
             {"\n", {"line 1: found \"\", expected the number of atoms"}},
             {"-1\n\n", {"line 1: found \"-1\", expected the number of atoms"}},
