@@ -28,6 +28,14 @@ constexpr std::array<TypeName, 8> types{{{"char", "int8", PlyType::int8, 1},
                                          {"float", "float32", PlyType::float32, 4},
                                          {"double", "float64", PlyType::float64, 8}}};
 
+struct FormatName {
+    const char* name;
+    PlyFormat format;
+};
+constexpr std::array<FormatName, 3> formats{{{"ascii", PlyFormat::ascii},
+                                             {"binary_little_endian", PlyFormat::binary_little_endian},
+                                             {"binary_big_endian", PlyFormat::binary_big_endian}}};
+
 /// Reads the header line by line; every refusal names the line.
 class HeaderReader {
   public:
@@ -37,8 +45,9 @@ class HeaderReader {
         constexpr std::string_view magic = "ply";
         if (bytes_.substr(0, magic.size()) != magic || next_line() != magic)
             throw Error(Blame::input, "found no PLY file: the first line is not \"ply\"", path_);
+        next_statement();
         read_format();
-        while (next_line() != "end_header") read_statement();
+        while (next_statement() != "end_header") read_statement();
         finish_element();
         header_.data_start = bytes_.size() - lines_.rest().size();
         return std::move(header_);
@@ -49,25 +58,33 @@ class HeaderReader {
         if (!lines_.ends_within(longest_header_line))
             throw Error(Blame::input, "found no line end within 1 MiB", path_ + line_name(lines_.number() + 1));
         if (!lines_.next(line_)) throw Error(Blame::input, "the file ends in the header: found no end_header", path_);
+        line_ = line_.substr(0, line_.find_last_not_of(" \t\r") + 1);
+        return line_;
+    }
+
+    /// Goes on to the next line that is no remark.
+    std::string_view next_statement() {
+        std::string_view keyword;
+        do {
+            keyword = Words(next_line()).next();
+        } while (keyword == "comment" || keyword == "obj_info");
         return line_;
     }
 
     void read_format() {
-        next_line();
-        if (line_ == "format ascii 1.0")
-            header_.format = PlyFormat::ascii;
-        else if (line_ == "format binary_little_endian 1.0")
-            header_.format = PlyFormat::binary_little_endian;
-        else if (line_ == "format binary_big_endian 1.0")
-            header_.format = PlyFormat::binary_big_endian;
-        else
+        Words words(line_);
+        const bool is_format = words.next() == "format";
+        const std::string_view name = words.next();
+        const auto named = [&](const FormatName& format) { return name == format.name; };
+        const auto found = std::find_if(formats.begin(), formats.end(), named);
+        if (!is_format || found == formats.end() || words.next() != "1.0" || !words.next().empty())
             refuse("\"format\" with ascii, binary_little_endian or binary_big_endian, and 1.0");
+        header_.format = found->format;
     }
 
     void read_statement() {
         Words words(line_);
         const std::string_view keyword = words.next();
-        if (keyword == "comment" || keyword == "obj_info") return;
         if (keyword == "element")
             read_element(words);
         else if (keyword == "property")

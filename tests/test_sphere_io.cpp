@@ -143,6 +143,15 @@ TEST_CASE("a PLY file is read around what are no spheres", "[sphere_io]") {
     check_rows(load_spheres(folder.write("b.ply", bytes), {2.0, {}}), expected);
 }
 
+TEST_CASE("PLY headers may have remarks before the format, and blanks between words and after them", "[sphere_io]") {
+    const TempFolder folder;
+    const std::string header =
+        "ply \r\ncomment first\nobj_info second\nformat  binary_little_endian\t1.0 \nelement   vertex 1 \n"
+        "property float  x\nproperty float y\t\nproperty float z\nproperty float radius\nend_header \t\r\n";
+    check_rows(load_spheres(folder.write("a.ply", header + bytes_of(std::vector<float>{1, 2, 3, 4}))),
+               {{1, 2, 3, 4, 1, 1, 1}});
+}
+
 TEST_CASE("integers that float cannot hold make a table of doubles", "[sphere_io]") {
     const TempFolder folder;
     const std::string head =
