@@ -162,6 +162,15 @@ TEST_CASE("integers that float cannot hold make a table of doubles", "[sphere_io
     check_rows(table, {{4294967295.0, -16777217, 5, 2, 0.25, 0.5, 0.125}});
 }
 
+TEST_CASE("a radius for all that float cannot hold makes a table of doubles", "[sphere_io]") {
+    const TempFolder folder;
+    const std::string path = folder.write("a.ply", ply_header("ascii", "float", 1, 3) + "1 2 3\n");
+    CHECK(is_float(load_spheres(path, {1e-40, {}})));
+    const SphereTable table = load_spheres(path, {1e-60, {}});
+    CHECK_FALSE(is_float(table));
+    check_rows(table, {{1, 2, 3, 1e-60, 1, 1, 1}});
+}
+
 TEST_CASE("numbers too small for their type are 0", "[sphere_io]") {
     const TempFolder folder;
     const std::string tiny = "1e-50 -1e-400 1e-40 2\n";
