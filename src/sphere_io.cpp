@@ -40,8 +40,10 @@ const Format& format_of(const std::string& path) {
 
 SphereTable load_spheres(const std::string& path, const SphereDefaults& defaults) {
     const Format& format = format_of(path);
-    const SphereTable table = format.read(std::make_shared<const MappedFile>(path), defaults);
+    const auto file = std::make_shared<const MappedFile>(path);
+    const SphereTable table = format.read(file, defaults);
     const WrongValue wrong = find_wrong_value(table);
+    file->expect_unchanged();
     if (!wrong.message.empty()) throw Error(Blame::input, wrong.message, row_location(path, wrong.row));
     return table;
 }

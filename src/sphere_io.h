@@ -17,7 +17,7 @@ struct SphereDefaults {
 };
 
 /// Reads and checks a file of spheres: NumPy's .npy, .ply, .xyz or .extxyz, by its extension. An .npy file's rows stay
-/// in the file where its layout allows; it must not change while the table lives.
+/// in the file where its layout allows; it must not change while the table lives, which forget() refuses too.
 /// Throws Error(Blame::input) with file, row and what was found.
 SphereTable load_spheres(const std::string& path, const SphereDefaults& defaults = {});
 

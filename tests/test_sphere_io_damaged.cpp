@@ -1,6 +1,7 @@
 // Files of spheres that are damaged, or lie: each is refused, and told why.
 #include <sys/stat.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "catch.h"
@@ -76,6 +77,32 @@ TEST_CASE("what are no files of spheres is refused", "[sphere_io]") {
     for (const std::string name : {"a.obj", "npy", "a.npy.gz", ""}) {
         check(folder.write("x" + name, "1"), "found no format for spheres, expected .npy, .ply, .xyz or .extxyz");
     }
+}
+
+TEST_CASE("a file that changes while its rows are used is refused", "[sphere_io]") {
+    const TempFolder folder;
+    std::vector<float> rows = grains(5000, 4);
+    const auto bytes = [&] { return npy(npy_dict("<f4", 5000, 4), bytes_of(rows)); };
+    const auto use = [&](const std::string& name, auto change) {
+        const std::string path = folder.write(name, bytes());
+        const SphereTable table = load_spheres(path);
+        table.forget(0, 2000);  // all is well so far
+        change(path);
+        return refusal(wrong_input, [&] { table.forget(2000, 3000); });
+    };
+    const auto later = [](const std::string& path) {  // whatever the clock's step
+        const auto time = std::filesystem::last_write_time(path);
+        std::filesystem::last_write_time(path, time + std::chrono::milliseconds(1));
+    };
+    rows[3] = 99;
+    CHECK(use("a.npy", later) == folder / "a.npy: changed while it was read");
+    const auto append = [&](const std::string& path) { std::ofstream(path, std::ios::app) << 'x'; };
+    CHECK(use("b.npy", append) == folder / "b.npy: changed while it was read");
+    const std::string path = folder.write("c.npy", bytes());
+    const SphereTable table = load_spheres(path);
+    std::filesystem::remove(path);  // another file of that name leaves the first as it is
+    folder.write("c.npy", "x");
+    CHECK_NOTHROW(table.forget(0, 5000));
 }
 
 TEST_CASE("wrong values are refused by row", "[sphere_io]") {
