@@ -101,26 +101,28 @@ class XyzReader {
         Words words(line_);
         std::string_view species;
         if (needs_radius_) row[radius_column] = defaults_.radius.value_or(0);
-        for (const XyzColumns& columns : columns_) switch (columns.use) {
-                case XyzUse::skip:
-                    skip(words, columns.words);
-                    break;
-                case XyzUse::species:
-                    species = next_word(words);
-                    break;
-                case XyzUse::position:
-                    read_numbers(words, 3, row);
-                    break;
-                case XyzUse::radius:
-                    read_numbers(words, 1, row + radius_column);
-                    break;
-                case XyzUse::color:
-                    read_numbers(words, 3, row + albedo_column);
-                    break;
-            }
+        for (const XyzColumns& columns : columns_)
+            if (columns.use == XyzUse::species)
+                species = next_word(words);
+            else
+                read_columns(words, columns, row);
         if (const std::string_view more = words.next(); !more.empty())
             refuse("found " + quote_start(more) + " after the last column", give_columns);
         if (element_gives_radius_ || element_gives_albedo_) fill_from_element(species, row);
+    }
+
+    /// Columns of numbers, and those that are passed over.
+    void read_columns(Words& words, const XyzColumns& columns, double* row) const {
+        if (columns.use == XyzUse::position)
+            read_numbers(words, columns, row);
+        else if (columns.use == XyzUse::radius)
+            read_numbers(words, columns, row + radius_column);
+        else if (columns.use == XyzUse::color)
+            read_color(words, columns, row + albedo_column);
+        else if (columns.use == XyzUse::rest)
+            words = Words("");
+        else
+            skip(words, columns.words);
     }
 
     void fill_from_element(std::string_view species, double* row) const {
@@ -145,10 +147,24 @@ class XyzReader {
     void skip(Words& words, int64_t count) const {
         for (; count > 0; --count) next_word(words);
     }
-    void read_numbers(Words& words, int count, double* numbers) const {
-        for (int i = 0; i < count; ++i) {
+    void read_numbers(Words& words, const XyzColumns& columns, double* numbers) const {
+        for (int64_t i = 0; i < columns.words; ++i) {
             const std::string_view word = next_word(words);
+            int64_t integer = 0;
+            if (columns.integers && !parse(word, integer))
+                refuse("found " + quote_start(word) + ", expected an integer");
             if (!parse(word, numbers[i])) refuse("found " + quote_start(word) + ", expected a number");
+        }
+    }
+    /// Integers are 255ths, as bytes of other formats.
+    void read_color(Words& words, const XyzColumns& columns, double* color) const {
+        constexpr double most = 255;
+        read_numbers(words, columns, color);
+        if (!columns.integers) return;
+        for (int64_t i = 0; i < columns.words; ++i) {
+            if (color[i] < 0 || color[i] > most)
+                refuse(fmt::format("found {} in a color of integers, expected 0 to 255", color[i]));
+            color[i] /= most;
         }
     }
 

@@ -95,7 +95,7 @@ XyzColumns columns_of(const std::string& name, const std::string& type, int64_t 
     for (const KnownColumns& known : known_columns) {
         if (name != known.name) continue;
         const bool fits = known.is_text ? type == "S" : type == "R" || type == "I";
-        if (fits && words == known.words) return {known.use, words};
+        if (fits && words == known.words) return {known.use, words, type == "I"};
         throw Error(Blame::input,
                     "found " + quote(name + ":" + type + ":" + std::to_string(words)) + ", expected " +
                         quote(name + (known.is_text ? ":S:" : ":R:") + std::to_string(known.words)),
@@ -130,7 +130,7 @@ std::vector<XyzColumns> parse_properties(const std::string& properties, const st
 std::vector<XyzColumns> read_xyz_columns(std::string_view comment, const std::string& where) {
     const std::optional<std::string> properties = properties_of(comment, where);
     if (properties) return parse_properties(*properties, where);
-    return {{XyzUse::species, 1}, {XyzUse::position, 3}};
+    return {{XyzUse::species, 1}, {XyzUse::position, 3}, {XyzUse::rest, 0}};
 }
 
 }  // namespace gnomon

@@ -201,6 +201,18 @@ TEST_CASE("atoms take radius and colour from their element", "[sphere_io]") {
     CHECK(iron[0].radius == 2.44);  // Alvarez's
 }
 
+TEST_CASE("atoms are written in several ways", "[sphere_io]") {
+    const TempFolder folder;
+    const auto load = [&](const std::string& text) { return load_spheres(folder.write("a.xyz", text)); };
+    for (const std::string chlorine : {"Cl", "CL", "cl", "17"}) {
+        INFO(chlorine);
+        CHECK(load("1\n\n" + chlorine + " 0 0 0\n")[0].radius == 1.75);
+    }
+    CHECK(load("1\n\n82 0 0 0\n")[0].radius == 2.02);  // lead
+    check_rows(load("1\n\nH 1 2 3 0.5 forces -1\n"), {{1, 2, 3, 1.10, 1, 1, 1}});
+    check_rows(load("1\nProperties=pos:I:3:color:I:3:radius:I:1\n-1 2 3 255 51 0 4\n"), {{-1, 2, 3, 4, 1, 0.2, 0}});
+}
+
 TEST_CASE("defaults go before an element, and a column before defaults", "[sphere_io]") {
     const TempFolder folder;
     const auto load = [&](const std::string& text, const SphereDefaults& defaults) {
