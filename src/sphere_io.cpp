@@ -39,8 +39,17 @@ const Format& format_of(const std::string& path) {
 }  // namespace
 
 SphereTable load_spheres(const std::string& path, const SphereDefaults& defaults) {
+    return load_spheres(open_spheres(path), defaults);
+}
+
+SharedFile open_spheres(const std::string& path) {
+    format_of(path);  // a wrong name is told before anything about the file
+    return std::make_shared<const MappedFile>(path);
+}
+
+SphereTable load_spheres(const SharedFile& file, const SphereDefaults& defaults) {
+    const std::string& path = file->path();
     const Format& format = format_of(path);
-    const auto file = std::make_shared<const MappedFile>(path);
     const SphereTable table = format.read(file, defaults);
     const WrongValue wrong = find_wrong_value(table);
     file->expect_unchanged();
