@@ -10,6 +10,7 @@ import json
 import os
 import sys
 from array import array
+from contextlib import contextmanager, suppress
 from itertools import chain, islice
 from math import isfinite
 
@@ -19,17 +20,44 @@ BLOCK = 1 << 16  # numbers on their way to the file
 INLINE_MAX = 10000
 
 
-class NpyWriter:
-    """A .npy file of rows of 32-bit floats, written from first to last; their number need not be known before.
+@contextmanager
+def whole_file(path, mode="w", encoding=None):
+    """A file to write, which takes its name once it is whole: what fails or is interrupted leaves all as it was."""
+    target = os.path.realpath(path)  # where path is a link, it stays one
+    if os.path.exists(target) and not os.path.isfile(target):  # a pipe or a device has nothing that could be lost
+        with open(target, mode, encoding=encoding) as file:
+            yield file
+        return
+    temporary = f"{target}.{os.getpid()}.tmp"
+    try:
+        with open(temporary, mode, encoding=encoding) as file:
+            yield file
+        os.replace(temporary, target)
+    except BaseException:  # Ctrl-C and sys.exit() too
+        with suppress(OSError):
+            os.remove(temporary)
+        raise
 
-    The header comes last, into room kept for it: a file that was cut short has none, and no reader takes it.
+
+@contextmanager
+def npy_file(path, columns):
+    """A .npy file to write, as an NpyWriter."""
+    with whole_file(path, "wb") as file:
+        npy = NpyWriter(file, columns)
+        yield npy
+        npy.finish()
+
+
+class NpyWriter:
+    """The rows of a .npy file, 32-bit floats, from first to last; their number need not be known before.
+
+    The header comes last, into room kept for it.
     """
 
     HEADER_SIZE = 128  # a multiple of 64, as the format wants; its text has 77 characters at most, with a count of 2^63
 
-    def __init__(self, path, columns):
-        self.columns, self.numbers = columns, 0
-        self.file = open(path, "wb")
+    def __init__(self, file, columns):
+        self.file, self.columns, self.numbers = file, columns, 0
         self.file.seek(self.HEADER_SIZE)
 
     def write(self, rows):
@@ -40,14 +68,6 @@ class NpyWriter:
             if sys.byteorder == "big":
                 block.byteswap()
             block.tofile(self.file)
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, failure, *_):
-        with self.file:
-            if not failure:
-                self.finish()
 
     def finish(self):
         count, rest = divmod(self.numbers, self.columns)
@@ -74,29 +94,46 @@ def parse_options(parser, count):
     options = parser.parse_args()
     if options.npy is None and options.output != "-" and count(options) > INLINE_MAX:
         options.npy = os.path.splitext(options.output)[0] + ".npy"
-    if options.npy and os.path.abspath(options.npy) == os.path.abspath(options.output):
+    if options.npy and os.path.realpath(options.npy) == os.path.realpath(options.output):
         parser.error(f"scene and spheres would both be {options.output}")
+    if options.npy:
+        expect_npy(options.npy, parser)
     return options
+
+
+def expect_npy(path, parser):
+    """Ends the program unless gnomon would take the name: it knows files by their extension, and refuses controls."""
+    if os.path.splitext(path)[1].lower() != ".npy":
+        parser.error(f"{path}: expected a name that ends in .npy")
+    if any(c < " " or c == "\x7f" or "\ud800" <= c <= "\udfff" for c in path):  # the last: bytes that are no UTF-8
+        parser.error(f"{path!a}: expected a name without control characters, in UTF-8")
+
+
+def name_in_scene(npy, output):
+    """The .npy's path from the scene's folder, of which links may be part."""
+    folder, name = os.path.split(npy)
+    scene_folder = "." if output == "-" else os.path.dirname(output)
+    return os.path.relpath(os.path.join(os.path.realpath(folder), name),
+                           os.path.realpath(scene_folder)).replace(os.sep, "/")
 
 
 def write_scene(scene, rows, options, albedo=None):
     """Writes rows of 4 numbers, which all have this albedo, or of 7, after the spheres that the scene has already.
 
-    Whatever goes wrong with the files ends the program.
+    Whatever goes wrong with the files ends the program, and leaves those that were there.
     """
+    to_stdout = options.output == "-"
     try:
-        spheres = scene["spheres"]
-        if options.npy:
-            with NpyWriter(options.npy, 4 if albedo else 7) as npy:
-                npy.write(rows)
-            folder = "." if options.output == "-" else os.path.dirname(options.output) or "."
-            entry = {"file": os.path.relpath(options.npy, folder).replace(os.sep, "/")}
-            spheres = spheres + [{**entry, "albedo": albedo} if albedo else entry]
-        else:
-            single = ({"center": r[:3], "radius": r[3], "albedo": albedo or r[4:]} for r in rows)
-            spheres = chain(spheres, single)
-        with sys.stdout if options.output == "-" else open(options.output, "w", encoding="utf-8") as output:
-            write_json({**scene, "spheres": spheres}, output)
+        with sys.stdout if to_stdout else whole_file(options.output, encoding="utf-8") as output:
+            if options.npy:
+                entry = {"file": name_in_scene(options.npy, options.output), **({"albedo": albedo} if albedo else {})}
+                with npy_file(options.npy, 4 if albedo else 7) as npy:
+                    npy.write(rows)
+                    write_json({**scene, "spheres": scene["spheres"] + [entry]}, output)
+                    output.flush()  # so that of both files none or all is written before the first takes its name
+            else:
+                single = ({"center": r[:3], "radius": r[3], "albedo": albedo or r[4:]} for r in rows)
+                write_json({**scene, "spheres": chain(scene["spheres"], single)}, output)
     except OSError as error:
         sys.exit(f"{os.path.basename(sys.argv[0])}: {error}")
 
@@ -134,6 +171,8 @@ def parse_table(lines, fail):
             fail(f"line {number}: {error}")
         if not all(map(isfinite, array("f", row))) or not array("f", row)[3] > 0:
             fail(f"line {number}: {line.strip()}: not finite in 32 bits, or no positive radius")
+        if min(row[4:], default=0) < 0:
+            fail(f"line {number}: {line.strip()}: a negative colour")
         yield row
 
 
@@ -142,11 +181,14 @@ def main():
     parser.add_argument("table", help="the text, - for standard input")
     parser.add_argument("npy", help="the file to write")
     options = parser.parse_args()
+    expect_npy(options.npy, parser)
+    if os.path.realpath(options.table) == os.path.realpath(options.npy):
+        parser.error(f"table and spheres would both be {options.npy}")
     try:
         with sys.stdin if options.table == "-" else open(options.table, encoding="utf-8") as lines:
             rows = parse_table(lines, lambda what: parser.error(f"{options.table}: {what}"))
             first = next(rows, None) or parser.error(f"{options.table}: no spheres")
-            with NpyWriter(options.npy, len(first)) as npy:
+            with npy_file(options.npy, len(first)) as npy:
                 npy.write(chain([first], rows))
     except (OSError, UnicodeDecodeError) as error:
         parser.exit(1, f"{parser.prog}: error: {error}\n")

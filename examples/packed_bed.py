@@ -6,6 +6,7 @@ rolls down over the first one it meets, then along two, and rests when the floor
 grains. What lies already never moves. About 58 % of the space is full. The floor is z = 0, the unit the median radius.
 """
 import argparse
+import os
 import random
 import sys
 from array import array
@@ -224,7 +225,7 @@ def color(t):
     return tuple(a + (t - i) * (b - a) for a, b in zip(COLORS[i], COLORS[i + 1]))
 
 
-def main():
+def parse_options():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("count", type=int, nargs="?", default=5000, help="how many grains (default 5000)")
     parser.add_argument("--spread", type=float, default=0.12, help="standard deviation of the radius's logarithm, "
@@ -238,34 +239,52 @@ def main():
     for name, low, high in (("count", 1, 1e9), ("spread", 0, 0.5), ("depth", 0.01, 100)):
         if not low <= getattr(options, name) <= high:
             parser.error(f"{name} is {getattr(options, name)}, expected {low:g} to {high:g}")
+    return options
 
+
+def fail(what):
+    sys.exit(f"{os.path.basename(sys.argv[0])}: {what}")
+
+
+def empty_bed(options):
+    """As wide as all grains will need."""
     # The logarithm is spread (a + b + c), all three uniform in [-1, 1): the mean of exp(s a) is sinh(s) / s.
     s, largest = 3 * options.spread, exp(3 * options.spread) * (1 + 2**-23)
     volume = options.count * 4 / 3 * pi * (sinh(s) / s if s else 1) ** 3 / DENSITY
-    half_width = max((volume / options.depth) ** (1 / 3) / 2, 2 * largest)
-    bed, uniform = Bed(half_width, largest), random.Random(options.seed).random
-    deviations = []
+    return Bed(max((volume / options.depth) ** (1 / 3) / 2, 2 * largest), largest)
+
+
+def place_grain(bed, radius, uniform):
+    for _ in range(100):  # a grain that rounding has led astray, about one in 5000, is dropped anew
+        place = bed.drop(*((bed.half_width - radius) * (2 * uniform() - 1) for _ in range(2)), radius)
+        if place and bed.add((*array("f", place), radius)):
+            return
+    fail(f"no place found for grain {len(bed.grains)}")
+
+
+def fill(bed, options):
+    """Drops all grains; returns by how many spreads each one's radius deviates, from -3 to 3."""
+    uniform, deviations = random.Random(options.seed).random, []
     while len(bed.grains) < options.count:
-        deviation = sum(2 * uniform() - 1 for _ in range(3))
-        radius = array("f", [exp(options.spread * deviation)])[0]
-        for _ in range(100):  # a grain that rounding has led astray, about one in 5000, is dropped anew
-            place = bed.drop(*((half_width - radius) * (2 * uniform() - 1) for _ in range(2)), radius)
-            if place and bed.add((*array("f", place), radius)):
-                break
-        else:
-            sys.exit(f"{parser.prog}: no place found for grain {len(bed.grains)}")
-        deviations.append(deviation)
-    height = max(z + r for _, _, z, r in bed.grains)
-    if options.check:
-        wrong = check(bed.grains, half_width)
-        if wrong:
-            sys.exit(f"{parser.prog}: {wrong}")
-        share = sum(4 / 3 * pi * g[3] ** 3 for g in bed.grains if g[2] < height / 2) / (2 * half_width**2 * height)
-        print(f"{options.count} grains, none overlap, all are carried; the bed is {2 * half_width:.4g} wide and "
-              f"{height:.4g} high, {share:.0%} of its lower half is full", file=sys.stderr)
-    tints = (d / 4 + 0.5 for d in deviations) if options.color == "size" else (g[2] / height for g in bed.grains)
-    w, ground = half_width, 2000 * half_width
-    scene = {
+        deviations.append(sum(2 * uniform() - 1 for _ in range(3)))
+        place_grain(bed, array("f", [exp(options.spread * deviations[-1])])[0], uniform)
+    return deviations
+
+
+def report_check(bed, height):
+    wrong = check(bed.grains, bed.half_width)
+    if wrong:
+        fail(wrong)
+    volume = sum(4 / 3 * pi * g[3] ** 3 for g in bed.grains if g[2] < height / 2)
+    print(f"{len(bed.grains)} grains, none overlap, all are carried; the bed is {2 * bed.half_width:.4g} wide and "
+          f"{height:.4g} high, {volume / (2 * bed.half_width**2 * height):.0%} of its lower half is full",
+          file=sys.stderr)
+
+
+def scene_around(w, height):
+    """All but the grains, for a bed from -w to w."""
+    ground = 2000 * w
+    return {
         "image": {"width": 1024, "height": 768},
         "camera": {"eye": (-1.8 * w, -3.3 * w, 2.1 * w), "at": (0, 0, 0.2 * height), "up": (0, 0, 1), "fov": 35},
         "spheres": [{"center": (0, 0, -ground), "radius": ground, "albedo": (0.55, 0.53, 0.5)}],
@@ -273,7 +292,18 @@ def main():
                    {"type": "point", "position": (-2.5 * w, -4 * w, 2.5 * w),
                     "power": [w * w * p for p in (240, 280, 340)]}],
     }
-    npy_writer.write_scene(scene, ((*g, *color(t)) for g, t in zip(bed.grains, tints)), options)
+
+
+def main():
+    options = parse_options()
+    bed = empty_bed(options)
+    deviations = fill(bed, options)
+    height = max(z + r for _, _, z, r in bed.grains)
+    if options.check:
+        report_check(bed, height)
+    tints = (d / 4 + 0.5 for d in deviations) if options.color == "size" else (g[2] / height for g in bed.grains)
+    rows = ((*g, *color(t)) for g, t in zip(bed.grains, tints))
+    npy_writer.write_scene(scene_around(bed.half_width, height), rows, options)
 
 
 if __name__ == "__main__":

@@ -9,11 +9,12 @@ import argparse
 import sys
 from array import array
 from itertools import islice
-from math import pi
+from math import inf, pi
 
 import npy_writer
 
 BLOCK = 1024  # spheres at a time
+MAX_COUNT = 2**31 - 1  # gnomon's
 GAMMA = 0x9E3779B97F4A7C15
 
 
@@ -42,11 +43,16 @@ def splitmix64(seed, size):
         seed += size * GAMMA
 
 
-def spheres(count, seed, share, columns):
-    """Yields rows of the first 4 or of all 7 numbers, rounded to 32-bit floats."""
+def radii(count, share):
+    """The smallest and the largest."""
     # The mean of r^3, uniform from 0.5 to 1.5 r0, is 1.25 r0^3.
     r0 = (share * 1e6 / (count * 1.25 * 4 / 3 * pi)) ** (1 / 3)
-    ranges = ((-50, 50), (-50, 50), (-50, 50), (0.5 * r0, 1.5 * r0), (0.2, 0.9), (0.2, 0.9), (0.2, 0.9))
+    return (0.5 * r0, 1.5 * r0)
+
+
+def spheres(count, seed, share, columns):
+    """Yields rows of the first 4 or of all 7 numbers, rounded to 32-bit floats."""
+    ranges = ((-50, 50), (-50, 50), (-50, 50), radii(count, share), (0.2, 0.9), (0.2, 0.9), (0.2, 0.9))
     blocks = splitmix64(seed, BLOCK * len(ranges))
     for done in range(0, count, BLOCK):
         draws = next(blocks)
@@ -64,10 +70,10 @@ def main():
                         help="the same places and radii, all in one colour: rows of 4 numbers, not 7")
     npy_writer.add_output_options(parser)
     options = npy_writer.parse_options(parser, lambda options: options.count)
-    if options.count < 1:
-        parser.error(f"count is {options.count}, expected 1 or more")
-    if not 0 < options.share < float("inf"):
-        parser.error(f"--share is {options.share}, expected a positive number")
+    if not 1 <= options.count <= MAX_COUNT:
+        parser.error(f"count is {options.count}, expected 1 to {MAX_COUNT}")
+    if not options.share > 0 or not all(0 < r < inf for r in array("f", radii(options.count, options.share))):
+        parser.error(f"--share is {options.share}, expected a positive number, and radii in the range of 32-bit floats")
     scene = {
         "image": {"width": 1920, "height": 1080},
         "camera": {"eye": (50, 45, -115), "at": (0, 0, 0), "up": (0, 1, 0), "fov": 40},

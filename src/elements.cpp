@@ -1,9 +1,11 @@
 #include "elements.h"
 
 #include <cstdint>
+#include <string>
 #include <unordered_map>
 
 #include "srgb.h"
+#include "text_lines.h"
 
 namespace gnomon {
 
@@ -18,7 +20,7 @@ struct ElementRow {
 // Van der Waals radii. The main groups: Mantina, Chamberlin, Valero, Cramer and Truhlar, J. Phys. Chem. A 2009, 113,
 // 5806, table 12, which has Bondi's (J. Phys. Chem. 1964, 68, 441) and, by his method, those he lacks. The other
 // groups: Alvarez, Dalton Trans. 2013, 42, 8617. Colours: Jmol's, https://jmol.sourceforge.net/jscolors/, which go back
-// to the models of Corey, Pauling and Koltun.
+// to the models of Corey, Pauling and Koltun. In the order of atomic numbers, from 1.
 constexpr ElementRow rows[] = {
     {"H", 1.10, 0xFFFFFF},  {"He", 1.40, 0xD9FFFF}, {"Li", 1.81, 0xCC80FF}, {"Be", 1.53, 0xC2FF00},
     {"B", 1.92, 0xFFB5B5},  {"C", 1.70, 0x909090},  {"N", 1.55, 0x3050F8},  {"O", 1.52, 0xFF0D0D},
@@ -54,17 +56,22 @@ Rgb albedo_of(uint32_t color) {
     return {channel(16), channel(8), channel(0)};
 }
 
-std::unordered_map<std::string_view, Element> make_elements() {
-    std::unordered_map<std::string_view, Element> elements;
-    for (const ElementRow& row : rows) elements[row.symbol] = {row.radius, albedo_of(row.color)};
+/// By symbol in small letters, and by atomic number.
+std::unordered_map<std::string, Element> make_elements() {
+    std::unordered_map<std::string, Element> elements;
+    int number = 0;
+    for (const ElementRow& row : rows) {
+        const Element element{row.radius, albedo_of(row.color)};
+        elements[lower_case(row.symbol)] = elements[std::to_string(++number)] = element;
+    }
     return elements;
 }
 
 }  // namespace
 
-const Element* find_element(std::string_view symbol) {
-    static const std::unordered_map<std::string_view, Element> elements = make_elements();
-    const auto found = elements.find(symbol);
+const Element* find_element(std::string_view name) {
+    static const std::unordered_map<std::string, Element> elements = make_elements();
+    const auto found = elements.find(lower_case(name));
     return found == elements.end() ? nullptr : &found->second;
 }
 

@@ -12,7 +12,7 @@ struct Element {
     Rgb albedo;
 };
 
-/// By its symbol, as "Cl"; null for what is none.
-const Element* find_element(std::string_view symbol);
+/// By its symbol in any case of letters, as "Cl", or its atomic number, as "17"; null for what is none.
+const Element* find_element(std::string_view name);
 
 }  // namespace gnomon

@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
 #include "bytes.h"
 #include "error.h"
 #include "json_parse.h"
@@ -23,7 +27,12 @@ struct Layout {
 };
 
 std::string shown(const std::vector<int64_t>& shape) {
-    return fmt::format("({}{})", fmt::join(shape.begin(), shape.end(), ", "), shape.size() == 1 ? "," : "");
+    constexpr size_t most = 8;
+    const auto end = shape.begin() + static_cast<std::ptrdiff_t>(std::min(most, shape.size()));
+    return fmt::format("({}{})", fmt::join(shape.begin(), end, ", "),
+                       shape.size() > most ? ", ..."
+                       : shape.size() == 1 ? ","
+                                           : "");
 }
 
 int columns_of(const NpyHeader& header, const std::string& path) {

@@ -7,6 +7,7 @@
 #include "bytes.h"
 #include "error.h"
 #include "json_parse.h"
+#include "text_lines.h"
 
 namespace gnomon {
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::string_view magic = "\x93NUMPY";
 constexpr std::string_view spaces = " \t\r\n";
+constexpr const char* ends_in_header = "the file ends in the header";
 constexpr const char* shown_keys = "'descr', 'fortran_order', 'shape'";
 
 /// The one Python literal that a header holds, {'descr': '<f4', 'fortran_order': False, 'shape': (3, 4), }: keys in any
@@ -109,7 +111,7 @@ class DictReader {
         return "found " + (keys.empty() ? "no keys" : keys) + " in the header, expected ";
     }
     [[noreturn]] void refuse(const std::string& expected) const {
-        const std::string found = rest_.empty() ? "the header's end" : quote(std::string(rest_.substr(0, 64)));
+        const std::string found = rest_.empty() ? "the header's end" : quote_start(rest_);
         throw Error(Blame::input, "found " + found + " in the header, expected " + expected, path_);
     }
 
@@ -123,7 +125,8 @@ class DictReader {
 std::size_t bytes_of_length(std::string_view bytes, const std::string& path) {
     if (bytes.substr(0, magic.size()) != magic)
         throw Error(Blame::input, "found no NumPy array: the file does not begin with \\x93NUMPY", path);
-    const auto byte = [&](std::size_t i) { return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0; };
+    if (bytes.size() < magic.size() + 2) throw Error(Blame::input, ends_in_header, path);
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
     const int major = byte(magic.size()), minor = byte(magic.size() + 1);
     if (major >= 1 && major <= 3 && minor == 0) return major == 1 ? 2 : 4;
     throw Error(Blame::input,
@@ -137,11 +140,11 @@ std::size_t bytes_of_length(std::string_view bytes, const std::string& path) {
 NpyHeader read_npy_header(std::string_view bytes, const std::string& path) {
     const std::size_t length_size = bytes_of_length(bytes, path);
     const std::size_t length_start = magic.size() + 2, start = length_start + length_size;
-    if (bytes.size() < start) throw Error(Blame::input, "the file ends in the header", path);
+    if (bytes.size() < start) throw Error(Blame::input, ends_in_header, path);
     const char* at = bytes.data() + length_start;
     const std::size_t length =
         length_size == 2 ? load<uint16_t>(at, ByteOrder::little) : load<uint32_t>(at, ByteOrder::little);
-    if (length > bytes.size() - start) throw Error(Blame::input, "the file ends in the header", path);
+    if (length > bytes.size() - start) throw Error(Blame::input, ends_in_header, path);
     NpyHeader header = DictReader(bytes.substr(start, length), path).read();
     header.data_start = start + length;
     return header;

@@ -47,12 +47,14 @@ class PlyReader {
     SphereTable read_vertices(const PlyElement& vertex) {
         expect_few_spheres(vertex.count, path_);
         const PlyVertexPlan plan = plan_ply_vertex(vertex, path_);
-        return plan.fits_float ? read_rows<float>(vertex, plan) : read_rows<double>(vertex, plan);
+        const double radius = plan.has_radius ? 1 : default_radius(defaults_, "the vertices have none", path_);
+        const bool fits_float = plan.fits_float && static_cast<float>(radius) > 0;
+        return fits_float ? read_rows<float>(vertex, plan, radius) : read_rows<double>(vertex, plan, radius);
     }
 
+    /// The radius is that of vertices without one.
     template <class T>
-    SphereTable read_rows(const PlyElement& vertex, const PlyVertexPlan& plan) {
-        const double radius = plan.has_radius ? 0 : default_radius(defaults_, "the vertices have none", path_);
+    SphereTable read_rows(const PlyElement& vertex, const PlyVertexPlan& plan, double radius) {
         std::vector<T> values(static_cast<size_t>(vertex.count * plan.columns));
         for (int64_t i = 0; i < vertex.count; ++i) {
             T* row = values.data() + i * plan.columns;
@@ -73,7 +75,7 @@ class PlyReader {
                 skip(property, record);
                 continue;
             }
-            const T value = source_.template number<T>(property.type, record);
+            const T value = source_.template number<T>(property, record);
             const bool is_byte = column >= albedo_column && property.type == PlyType::uint8;
             row[column] = is_byte ? value / most_of_a_byte : value;
         }
@@ -90,10 +92,10 @@ class PlyReader {
     }
 
     void skip(const PlyProperty& property, const PlyRecord& record) {
-        if (!property.length_type) return source_.skip(property.type, 1, record);
-        const auto length = source_.template number<int64_t>(*property.length_type, record);
+        if (!property.length_type) return source_.skip(property, 1, record);
+        const int64_t length = source_.length(property, record);
         if (length < 0) record.refuse(fmt::format("found a list of {} items", length));
-        source_.skip(property.type, length, record);
+        source_.skip(property, length, record);
     }
 
     const PlyHeader& header_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "error.h"
 #include "json_parse.h"
@@ -27,16 +28,26 @@ constexpr std::array<TypeName, 8> types{{{"char", "int8", PlyType::int8, 1},
                                          {"float", "float32", PlyType::float32, 4},
                                          {"double", "float64", PlyType::float64, 8}}};
 
+struct FormatName {
+    const char* name;
+    PlyFormat format;
+};
+constexpr std::array<FormatName, 3> formats{{{"ascii", PlyFormat::ascii},
+                                             {"binary_little_endian", PlyFormat::binary_little_endian},
+                                             {"binary_big_endian", PlyFormat::binary_big_endian}}};
+
 /// Reads the header line by line; every refusal names the line.
 class HeaderReader {
   public:
     HeaderReader(std::string_view bytes, const std::string& path) : bytes_(bytes), lines_(bytes), path_(path) {}
 
     PlyHeader read() {
-        next_line();
-        if (line_ != "ply") throw Error(Blame::input, "found no PLY file: the first line is not \"ply\"", path_);
+        constexpr std::string_view magic = "ply";
+        if (bytes_.substr(0, magic.size()) != magic || next_line() != magic)
+            throw Error(Blame::input, "found no PLY file: the first line is not \"ply\"", path_);
+        next_statement();
         read_format();
-        while (next_line() != "end_header") read_statement();
+        while (next_statement() != "end_header") read_statement();
         finish_element();
         header_.data_start = bytes_.size() - lines_.rest().size();
         return std::move(header_);
@@ -44,26 +55,36 @@ class HeaderReader {
 
   private:
     std::string_view next_line() {
+        if (!lines_.ends_within(longest_header_line))
+            throw Error(Blame::input, "found no line end within 1 MiB", path_ + line_name(lines_.number() + 1));
         if (!lines_.next(line_)) throw Error(Blame::input, "the file ends in the header: found no end_header", path_);
+        line_ = line_.substr(0, line_.find_last_not_of(" \t\r") + 1);
+        return line_;
+    }
+
+    /// Goes on to the next line that is no remark.
+    std::string_view next_statement() {
+        std::string_view keyword;
+        do {
+            keyword = Words(next_line()).next();
+        } while (keyword == "comment" || keyword == "obj_info");
         return line_;
     }
 
     void read_format() {
-        next_line();
-        if (line_ == "format ascii 1.0")
-            header_.format = PlyFormat::ascii;
-        else if (line_ == "format binary_little_endian 1.0")
-            header_.format = PlyFormat::binary_little_endian;
-        else if (line_ == "format binary_big_endian 1.0")
-            header_.format = PlyFormat::binary_big_endian;
-        else
+        Words words(line_);
+        const bool is_format = words.next() == "format";
+        const std::string_view name = words.next();
+        const auto named = [&](const FormatName& format) { return name == format.name; };
+        const auto found = std::find_if(formats.begin(), formats.end(), named);
+        if (!is_format || found == formats.end() || words.next() != "1.0" || !words.next().empty())
             refuse("\"format\" with ascii, binary_little_endian or binary_big_endian, and 1.0");
+        header_.format = found->format;
     }
 
     void read_statement() {
         Words words(line_);
         const std::string_view keyword = words.next();
-        if (keyword == "comment" || keyword == "obj_info") return;
         if (keyword == "element")
             read_element(words);
         else if (keyword == "property")
@@ -77,8 +98,8 @@ class HeaderReader {
         PlyElement element{std::string(words.next()), 0, {}};
         const bool good = parse(words.next(), element.count) && element.count >= 0 && words.next().empty();
         if (!good) refuse("\"element\" with a name and a count from 0");
-        for (const PlyElement& other : header_.elements)
-            if (other.name == element.name) refuse("each element once");
+        if (!element_names_.insert(element.name).second) refuse("each element once");
+        property_names_.clear();
         header_.elements.push_back(std::move(element));
     }
 
@@ -94,10 +115,8 @@ class HeaderReader {
         property.type = read_type(type);
         property.name = words.next();
         if (property.name.empty() || !words.next().empty()) refuse("\"property\" with a type and a name");
-        std::vector<PlyProperty>& properties = header_.elements.back().properties;
-        for (const PlyProperty& other : properties)
-            if (other.name == property.name) refuse("each property of an element once");
-        properties.push_back(std::move(property));
+        if (!property_names_.insert(property.name).second) refuse("each property of an element once");
+        header_.elements.back().properties.push_back(std::move(property));
     }
 
     PlyType read_type(std::string_view word) const {
@@ -113,9 +132,10 @@ class HeaderReader {
         throw Error(Blame::input, "element " + quote(header_.elements.back().name) + " has no properties", path_);
     }
 
+    static std::string line_name(int64_t number) { return ": line " + std::to_string(number); }
     [[noreturn]] void refuse(const std::string& expected) const {
-        throw Error(Blame::input, "found " + quote(std::string(line_.substr(0, 64))) + ", expected " + expected,
-                    path_ + ": line " + std::to_string(lines_.number()));
+        throw Error(Blame::input, "found " + quote_start(line_) + ", expected " + expected,
+                    path_ + line_name(lines_.number()));
     }
 
     std::string_view bytes_;
@@ -123,11 +143,18 @@ class HeaderReader {
     const std::string& path_;
     std::string_view line_;
     PlyHeader header_{};
+    std::set<std::string> element_names_, property_names_;  ///< the latter of the latest element
 };
 
 }  // namespace
 
 int size_of(PlyType type) { return types[static_cast<size_t>(type)].size; }
+
+PlyIntegers integers_of(PlyType type) {
+    const bool is_signed = type == PlyType::int8 || type == PlyType::int16 || type == PlyType::int32;
+    const int64_t count = int64_t{1} << 8 * size_of(type);
+    return is_signed ? PlyIntegers{-count / 2, count / 2 - 1} : PlyIntegers{0, count - 1};
+}
 
 int64_t PlyElement::least_size(PlyFormat format) const {
     if (format == PlyFormat::ascii) return least_bytes(static_cast<int64_t>(properties.size()));

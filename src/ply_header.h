@@ -17,6 +17,14 @@ enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64
 /// In bytes, in a binary file.
 int size_of(PlyType type);
 
+struct PlyIntegers {
+    int64_t low, high;
+
+    bool hold(int64_t number) const { return number >= low && number <= high; }
+};
+/// What an integer type can hold.
+PlyIntegers integers_of(PlyType type);
+
 struct PlyProperty {
     std::string name;
     PlyType type;                        ///< of a list: of its items

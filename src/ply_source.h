@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "bytes.h"
 #include "error.h"
@@ -34,6 +35,23 @@ class PlyBytes {
     void end(const PlyRecord&) {}
 
     template <class T>
+    T number(const PlyProperty& property, const PlyRecord& record) {
+        return number<T>(property.type, record);
+    }
+    int64_t length(const PlyProperty& list, const PlyRecord& record) {
+        return number<int64_t>(*list.length_type, record);
+    }
+
+    void skip(const PlyProperty& property, int64_t count, const PlyRecord& record) {
+        const int64_t size = size_of(property.type);
+        if (count > static_cast<int64_t>(rest_.size()) / size) record.refuse("the file ends here");
+        rest_.remove_prefix(static_cast<size_t>(count * size));
+    }
+
+    std::string_view rest() const { return rest_; }
+
+  private:
+    template <class T>
     T number(PlyType type, const PlyRecord& record) {
         switch (type) {
             case PlyType::int8:
@@ -56,15 +74,6 @@ class PlyBytes {
         return static_cast<T>(take<double>(record));
     }
 
-    void skip(PlyType type, int64_t count, const PlyRecord& record) {
-        const int64_t size = size_of(type);
-        if (count > static_cast<int64_t>(rest_.size()) / size) record.refuse("the file ends here");
-        rest_.remove_prefix(static_cast<size_t>(count * size));
-    }
-
-    std::string_view rest() const { return rest_; }
-
-  private:
     template <class T>
     T take(const PlyRecord& record) {
         if (rest_.size() < sizeof(T)) record.refuse("the file ends here");
@@ -89,21 +98,19 @@ class PlyText {
     }
     void end(const PlyRecord& record) {
         const std::string_view more = words_.next();
-        if (!more.empty()) record.refuse("found " + shown(more) + " after the last property");
+        if (!more.empty()) record.refuse("found " + quote_start(more) + " after the last property");
     }
 
     template <class T>
-    T number(PlyType, const PlyRecord& record) {
-        const std::string_view word = words_.next();
-        T number{};
-        if (parse(word, number)) return number;
-        if (word.empty()) record.refuse("the line ends before the last property");
-        record.refuse("found " + shown(word) + ", expected a number that its type can hold");
+    T number(const PlyProperty& property, const PlyRecord& record) {
+        return number<T>(property.type, property, record);
+    }
+    int64_t length(const PlyProperty& list, const PlyRecord& record) {
+        return number<int64_t>(*list.length_type, list, record);
     }
 
-    void skip(PlyType, int64_t count, const PlyRecord& record) {
-        for (; count > 0; --count)
-            if (words_.next().empty()) record.refuse("the line ends before the last property");
+    void skip(const PlyProperty& property, int64_t count, const PlyRecord& record) {
+        for (; count > 0; --count) number<double>(property, record);
     }
 
     /// Blank lines at the end are nothing.
@@ -113,7 +120,31 @@ class PlyText {
     }
 
   private:
-    static std::string shown(std::string_view word) { return quote(std::string(word.substr(0, 64))); }
+    template <class T>
+    T number(PlyType type, const PlyProperty& property, const PlyRecord& record) {
+        if (type == PlyType::float32) return static_cast<T>(word_as<float>(type, property, record));
+        if (type == PlyType::float64) return static_cast<T>(word_as<double>(type, property, record));
+        return static_cast<T>(word_as<int64_t>(type, property, record));
+    }
+
+    /// A word as its type has it: T holds that type's numbers, but where they are integers other ones too.
+    template <class T>
+    T word_as(PlyType type, const PlyProperty& property, const PlyRecord& record) {
+        const std::string_view word = words_.next();
+        T number{};
+        bool good = parse(word, number);
+        if constexpr (std::is_integral_v<T>) good = good && integers_of(type).hold(number);
+        if (good) return number;
+        if (word.empty()) record.refuse("the line ends before the last property");
+        record.refuse("found " + shortened(property.name) + " " + quote_start(word) + ", expected " + expected(type));
+    }
+
+    static std::string expected(PlyType type) {
+        if (type == PlyType::float32) return "a number from -3.4028234e38 to 3.4028234e38";
+        if (type == PlyType::float64) return "a number from -1.7976931e308 to 1.7976931e308";
+        const auto [low, high] = integers_of(type);
+        return fmt::format("an integer from {} to {}", low, high);
+    }
 
     TextLines lines_;
     Words words_{""};

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <utility>
 
 #include "error.h"
@@ -77,8 +79,16 @@ class EntryReader {
         if (entry.has("albedo")) defaults.albedo = entry["albedo"].rgb();
         const std::string path = (std::filesystem::path(folder_) / file_name(entry["file"])).string();
         end_table();
-        scene_.tables.push_back(load_spheres(path, defaults));
+        scene_.tables.push_back(load_spheres(opened(path), defaults));
         warn_of(scene_.tables.back(), path, entry);
+    }
+
+    /// A file that is named many times is mapped once: a process may have no more than some 65 000 mappings.
+    SharedFile opened(const std::string& path) {
+        std::weak_ptr<const MappedFile>& known = files_[path];
+        SharedFile file = known.lock();
+        if (!file) known = file = open_spheres(path);
+        return file;
     }
 
     /// Names without characters that would end the path too early, or that a terminal would obey in a message.
@@ -117,6 +127,7 @@ class EntryReader {
     Scene& scene_;
     FewWarnings warnings_;
     std::vector<double> rows_;
+    std::map<std::string, std::weak_ptr<const MappedFile>> files_;  ///< those that tables keep, by path
 };
 
 }  // namespace

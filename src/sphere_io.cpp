@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
+#include <memory>
 
 #include "error.h"
 #include "mapped_file.h"
 #include "npy.h"
 #include "ply.h"
 #include "table_rows.h"
+#include "text_lines.h"
 #include "xyz.h"
 
 namespace gnomon {
@@ -28,9 +29,7 @@ constexpr std::array<Format, 4> formats{{{".npy", read_npy, "row", 0},
                                          {".extxyz", read_xyz, "line", xyz_first_line}}};
 
 const Format& format_of(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = lower_case(std::filesystem::path(path).extension().string());
     const auto same = [&](const Format& format) { return extension == format.extension; };
     const auto found = std::find_if(formats.begin(), formats.end(), same);
     if (found != formats.end()) return *found;
@@ -40,9 +39,20 @@ const Format& format_of(const std::string& path) {
 }  // namespace
 
 SphereTable load_spheres(const std::string& path, const SphereDefaults& defaults) {
+    return load_spheres(open_spheres(path), defaults);
+}
+
+SharedFile open_spheres(const std::string& path) {
+    format_of(path);  // a wrong name is told before anything about the file
+    return std::make_shared<const MappedFile>(path);
+}
+
+SphereTable load_spheres(const SharedFile& file, const SphereDefaults& defaults) {
+    const std::string& path = file->path();
     const Format& format = format_of(path);
-    const SphereTable table = format.read(std::make_shared<const MappedFile>(path), defaults);
+    const SphereTable table = format.read(file, defaults);
     const WrongValue wrong = find_wrong_value(table);
+    file->expect_unchanged();
     if (!wrong.message.empty()) throw Error(Blame::input, wrong.message, row_location(path, wrong.row));
     return table;
 }

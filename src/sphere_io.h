@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mapped_file.h"
 #include "scene.h"
 
 namespace gnomon {
@@ -17,9 +18,12 @@ struct SphereDefaults {
 };
 
 /// Reads and checks a file of spheres: NumPy's .npy, .ply, .xyz or .extxyz, by its extension. An .npy file's rows stay
-/// in the file where its layout allows; it must not change while the table lives.
+/// in the file where its layout allows; it must not change while the table lives, which forget() refuses too.
 /// Throws Error(Blame::input) with file, row and what was found.
 SphereTable load_spheres(const std::string& path, const SphereDefaults& defaults = {});
+/// The same in two steps, for a file that is read more than once.
+SharedFile open_spheres(const std::string& path);
+SphereTable load_spheres(const SharedFile& file, const SphereDefaults& defaults);
 
 /// The rows whose albedo is above 1, of a table with 7 columns: the first few and the number of all.
 struct BrightRows {

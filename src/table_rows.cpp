@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cfloat>
 #include <limits>
+#include <type_traits>
+#include <variant>
 
 #include "error.h"
 

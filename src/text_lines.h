@@ -1,6 +1,8 @@
 // Text files as lines, lines as words, words as numbers.
 #pragma once
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
@@ -8,7 +10,27 @@
 #include <string_view>
 #include <type_traits>
 
+#include "json_parse.h"
+
 namespace gnomon {
+
+/// Of ASCII letters; all else stays.
+inline std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
+}
+
+/// Text from a file, which may be very long, as a message shows it.
+inline std::string quote_start(std::string_view text) {
+    constexpr size_t most = 64;  // no less than quote() leaves
+    return quote(std::string(text.substr(0, most)));
+}
+
+/// The longest line of a header, in bytes: a comment, or the columns' names, hundred thousand of them. Only so far is a
+/// line's end looked for, since a damaged file may have none in all its terabytes.
+constexpr size_t longest_header_line = size_t{1} << 20;
 
 /// The lines of a text, one after another. They end with a line feed, or with a carriage return before it.
 class TextLines {
@@ -25,6 +47,11 @@ class TextLines {
         rest_.remove_prefix(feed ? size + 1 : size);
         ++number_;
         return true;
+    }
+
+    /// Whether the next line ends within so many bytes.
+    bool ends_within(size_t most) const {
+        return rest_.size() <= most || std::memchr(rest_.data(), '\n', most) != nullptr;
     }
 
     int64_t number() const { return number_; }  ///< of the latest line, from 1

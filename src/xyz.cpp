@@ -27,7 +27,7 @@ class XyzReader {
 
     SphereTable read() {
         const int64_t count = read_count();
-        next_line("the comment");
+        next_header_line("the comment");
         columns_ = read_xyz_columns(line_, where());
         expect_room(count);
         plan();
@@ -47,13 +47,20 @@ class XyzReader {
                         path_ + ": line " + std::to_string(lines_.number() + 1));
     }
 
+    void next_header_line(const char* expected) {
+        if (!lines_.ends_within(longest_header_line))
+            throw Error(Blame::input, "found no line end within 1 MiB",
+                        path_ + ": line " + std::to_string(lines_.number() + 1));
+        next_line(expected);
+    }
+
     int64_t read_count() {
-        next_line("the number of atoms");
+        next_header_line("the number of atoms");
         Words words(line_);
         const std::string_view word = words.next();
         int64_t count = 0;
         if (!parse(word, count) || count < 0 || !words.next().empty())
-            refuse("found " + shown(line_) + ", expected the number of atoms");
+            refuse("found " + quote_start(line_) + ", expected the number of atoms");
         expect_few_spheres(count, where());
         return count;
     }
@@ -94,33 +101,36 @@ class XyzReader {
         Words words(line_);
         std::string_view species;
         if (needs_radius_) row[radius_column] = defaults_.radius.value_or(0);
-        for (const XyzColumns& columns : columns_) switch (columns.use) {
-                case XyzUse::skip:
-                    skip(words, columns.words);
-                    break;
-                case XyzUse::species:
-                    species = next_word(words);
-                    break;
-                case XyzUse::position:
-                    read_numbers(words, 3, row);
-                    break;
-                case XyzUse::radius:
-                    read_numbers(words, 1, row + radius_column);
-                    break;
-                case XyzUse::color:
-                    read_numbers(words, 3, row + albedo_column);
-                    break;
-            }
+        for (const XyzColumns& columns : columns_)
+            if (columns.use == XyzUse::species)
+                species = next_word(words);
+            else
+                read_columns(words, columns, row);
         if (const std::string_view more = words.next(); !more.empty())
-            refuse("found " + shown(more) + " after the last column", give_columns);
+            refuse("found " + quote_start(more) + " after the last column", give_columns);
         if (element_gives_radius_ || element_gives_albedo_) fill_from_element(species, row);
+    }
+
+    /// Columns of numbers, and those that are passed over.
+    void read_columns(Words& words, const XyzColumns& columns, double* row) const {
+        if (columns.use == XyzUse::position)
+            read_numbers(words, columns, row);
+        else if (columns.use == XyzUse::radius)
+            read_numbers(words, columns, row + radius_column);
+        else if (columns.use == XyzUse::color)
+            read_color(words, columns, row + albedo_column);
+        else if (columns.use == XyzUse::rest)
+            words = Words("");
+        else
+            skip(words, columns.words);
     }
 
     void fill_from_element(std::string_view species, double* row) const {
         const Element* element = find_element(species);
-        if (!element) refuse("found the unknown species " + shown(species) + ", expected an element", give_both);
+        if (!element) refuse("found the unknown species " + quote_start(species) + ", expected an element", give_both);
         if (element_gives_radius_) {
-            if (element->radius == 0) refuse("no van der Waals radius is published for " + shown(species), give_both);
+            if (element->radius == 0)
+                refuse("no van der Waals radius is published for " + quote_start(species), give_both);
             row[radius_column] = element->radius;
         }
         if (!element_gives_albedo_) return;
@@ -137,20 +147,33 @@ class XyzReader {
     void skip(Words& words, int64_t count) const {
         for (; count > 0; --count) next_word(words);
     }
-    void read_numbers(Words& words, int count, double* numbers) const {
-        for (int i = 0; i < count; ++i) {
+    void read_numbers(Words& words, const XyzColumns& columns, double* numbers) const {
+        for (int64_t i = 0; i < columns.words; ++i) {
             const std::string_view word = next_word(words);
-            if (!parse(word, numbers[i])) refuse("found " + shown(word) + ", expected a number");
+            int64_t integer = 0;
+            if (columns.integers && !parse(word, integer))
+                refuse("found " + quote_start(word) + ", expected an integer");
+            if (!parse(word, numbers[i])) refuse("found " + quote_start(word) + ", expected a number");
+        }
+    }
+    /// Integers are 255ths, as bytes of other formats.
+    void read_color(Words& words, const XyzColumns& columns, double* color) const {
+        constexpr double most = 255;
+        read_numbers(words, columns, color);
+        if (!columns.integers) return;
+        for (int64_t i = 0; i < columns.words; ++i) {
+            if (color[i] < 0 || color[i] > most)
+                refuse(fmt::format("found {} in a color of integers, expected 0 to 255", color[i]));
+            color[i] /= most;
         }
     }
 
     void expect_end() {
         while (lines_.next(line_))
             if (!Words(line_).next().empty())
-                refuse("found " + shown(line_) + " after the last atom", "only a file's one frame is read");
+                refuse("found " + quote_start(line_) + " after the last atom", "only a file's one frame is read");
     }
 
-    static std::string shown(std::string_view text) { return quote(std::string(text.substr(0, 64))); }
     std::string where() const { return path_ + ": line " + std::to_string(lines_.number()); }
     [[noreturn]] void refuse(const std::string& what, const std::string& hint = "") const {
         throw Error(Blame::input, what, where(), hint);

@@ -1,7 +1,7 @@
 #include "xyz_header.h"
 
 #include <algorithm>
-#include <cctype>
+#include <optional>
 #include <set>
 
 #include "error.h"
@@ -12,10 +12,37 @@ namespace gnomon {
 
 namespace {
 
-constexpr std::string_view spaces = " \t\r";
+constexpr std::string_view spaces = " \t\r", key_ends = "= \t\r";
 
-/// Takes a value off the front of key=value pairs: up to a space, or quoted.
-std::string take_value(std::string_view& rest) {
+std::string_view& skip_spaces(std::string_view& rest) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(spaces), rest.size()));
+    return rest;
+}
+
+/// Takes what stands before an equals sign or a space off the front: a key, or a word of free text.
+std::string take_key(std::string_view& rest) {
+    const size_t end = std::min(rest.find_first_of(key_ends), rest.size());
+    const std::string key(rest.substr(0, end));
+    rest.remove_prefix(end);
+    return key;
+}
+
+bool take_equals(std::string_view& rest) {
+    if (skip_spaces(rest).substr(0, 1) != "=") return false;
+    rest.remove_prefix(1);
+    return true;
+}
+
+bool begins_pair(std::string_view rest) {
+    take_key(rest);
+    return take_equals(rest);
+}
+
+/// Takes a value off the front of key=value pairs: up to a space, or quoted. Empty where the next pair begins.
+std::string take_value(std::string_view& rest, const std::string& where) {
+    const size_t size = rest.size();
+    const bool has_space = skip_spaces(rest).size() < size;
+    if (has_space && begins_pair(rest)) return "";
     const bool quoted = !rest.empty() && rest.front() == '"';
     std::string value;
     size_t at = quoted ? 1 : 0;
@@ -23,29 +50,26 @@ std::string take_value(std::string_view& rest) {
         if (quoted && rest[at] == '\\' && at + 1 < rest.size()) ++at;
         value += rest[at];
     }
-    rest.remove_prefix(std::min(at + (quoted ? 1 : 0), rest.size()));
+    if (quoted && at == rest.size())
+        throw Error(Blame::input, "found no end of the quoted " + quote_start(rest), where);
+    rest.remove_prefix(at + (quoted ? 1 : 0));
     return value;
 }
 
-bool is_properties(std::string key) {
-    std::transform(key.begin(), key.end(), key.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return key == "properties";
-}
-
-/// The value of the key Properties among the pairs of a comment, which may as well be free text; empty without.
-std::string properties_of(std::string_view comment) {
-    while (true) {
-        comment.remove_prefix(std::min(comment.find_first_not_of(spaces), comment.size()));
-        if (comment.empty()) return "";
-        const size_t end = std::min(comment.find_first_of("= \t\r"), comment.size());
-        const std::string key(comment.substr(0, end));
-        const bool has_value = end < comment.size() && comment[end] == '=';
-        comment.remove_prefix(end + (has_value ? 1 : 0));
-        if (!has_value) continue;
-        const std::string value = take_value(comment);
-        if (is_properties(key)) return value;
+/// The value of the key Properties among the pairs of a comment, which may as well be free text.
+std::optional<std::string> properties_of(std::string_view comment, const std::string& where) {
+    std::optional<std::string> properties;
+    while (!skip_spaces(comment).empty()) {
+        const std::string key = take_key(comment);
+        if (!take_equals(comment)) continue;
+        const std::string value = take_value(comment, where);
+        if (lower_case(key) != "properties") continue;
+        if (properties) throw Error(Blame::input, "found Properties twice", where);
+        if (value.empty())
+            throw Error(Blame::input, "found no value of Properties, expected columns as species:S:1:pos:R:3", where);
+        properties = value;
     }
+    return properties;
 }
 
 std::string take_field(std::string_view& fields) {
@@ -71,7 +95,7 @@ XyzColumns columns_of(const std::string& name, const std::string& type, int64_t 
     for (const KnownColumns& known : known_columns) {
         if (name != known.name) continue;
         const bool fits = known.is_text ? type == "S" : type == "R" || type == "I";
-        if (fits && words == known.words) return {known.use, words};
+        if (fits && words == known.words) return {known.use, words, type == "I"};
         throw Error(Blame::input,
                     "found " + quote(name + ":" + type + ":" + std::to_string(words)) + ", expected " +
                         quote(name + (known.is_text ? ":S:" : ":R:") + std::to_string(known.words)),
@@ -104,9 +128,9 @@ std::vector<XyzColumns> parse_properties(const std::string& properties, const st
 }  // namespace
 
 std::vector<XyzColumns> read_xyz_columns(std::string_view comment, const std::string& where) {
-    const std::string properties = properties_of(comment);
-    if (properties.empty()) return {{XyzUse::species, 1}, {XyzUse::position, 3}};
-    return parse_properties(properties, where);
+    const std::optional<std::string> properties = properties_of(comment, where);
+    if (properties) return parse_properties(*properties, where);
+    return {{XyzUse::species, 1}, {XyzUse::position, 3}, {XyzUse::rest, 0}};
 }
 
 }  // namespace gnomon

@@ -2,6 +2,8 @@
 one, in GNOMON_PROGRAM."""
 import json
 import os
+import resource
+import signal
 import struct
 import subprocess
 import sys
@@ -14,6 +16,7 @@ from pathlib import Path
 EXAMPLES = Path(__file__).resolve().parent.parent / "examples"
 sys.path.insert(0, str(EXAMPLES))
 sys.dont_write_bytecode = True
+import npy_writer  # noqa: E402
 import packed_bed  # noqa: E402
 import sphereflake  # noqa: E402
 
@@ -84,6 +87,9 @@ class Generators(unittest.TestCase):
     def test_bad_usage_is_told_with_exit_code_2_and_a_failed_file_with_1(self):
         for script, *arguments in (("sphereflake", -1), ("sphereflake", 10), ("random_box", 0), ("random_box", "many"),
                                    ("random_box", 9, "--share", "nan"), ("random_box", 9, "-o", "x", "--npy", "./x"),
+                                   ("random_box", 9, "--share", "inf"), ("random_box", 9, "--share", 1e-200),
+                                   ("random_box", 9, "--share", 1e200), ("random_box", 10**400),
+                                   ("sphereflake", 1, "--npy", "a.txt"), ("sphereflake", 1, "--npy", "a\n.npy"),
                                    ("packed_bed", 0), ("packed_bed", 9, "--spread", 1), ("npy_writer",)):
             with self.subTest(script=script, arguments=arguments):
                 self.assertIn("error: ", self.run_script(script, *arguments, code=2))
@@ -94,9 +100,46 @@ class Generators(unittest.TestCase):
         self.run_script("npy_writer", "-", "a.npy", text="# x y z r\n1 2 3 4\n\n5, 6.5, -7,1e-3 # the last\n")
         self.assertEqual(read_npy(self.folder / "a.npy"), [(1, 2, 3, 4), (5, 6.5, -7, float32(1e-3))])
         for text, place in (("1 2 3 4\n1 2 3\n", "line 2"), ("1 2 3 4 5\n", "line 1"), ("1 2 3 x\n", "line 1"),
-                            ("1 2 3 0\n", "line 1"), ("1 2 1e39 1\n", "line 1"), ("#\n", "no spheres")):
+                            ("1 2 3 0\n", "line 1"), ("1 2 1e39 1\n", "line 1"), ("#\n", "no spheres"),
+                            ("1 2 3 4 1 0 1\n1 2 3 4 0 -1 0\n", "line 2")):
             with self.subTest(text):
                 self.assertIn(place, self.run_script("npy_writer", "-", "b.npy", text=text, code=2))
+                self.assertEqual(os.listdir(self.folder), ["a.npy"])
+        self.run_script("npy_writer", "-", "a.npy", text="1 2 3 4\n1 2 3\n", code=2)
+        self.assertEqual(len(read_npy(self.folder / "a.npy")), 2)
+        (self.folder / "t.txt").write_text("1 2 3 4\n")
+        (self.folder / "link.npy").symlink_to("t.txt")
+        for target in ("t.txt", "link.npy"):
+            self.run_script("npy_writer", "t.txt", target, code=2)
+            self.assertEqual((self.folder / "t.txt").read_text(), "1 2 3 4\n")
+
+    def test_what_fails_or_is_interrupted_leaves_the_files_that_were_there(self):
+        def limit_size():  # as a full disk does: writing beyond fails
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (10000, 10000))
+
+        old = {name: name.encode() for name in ("a.json", "a.npy")}
+        for name, data in old.items():
+            (self.folder / name).write_bytes(data)
+        for arguments in ((500, "-o", "a.json", "--npy", "a.npy"), (500, "-o", "a.json")):
+            ran = subprocess.run([sys.executable, "-B", EXAMPLES / "random_box.py", *map(str, arguments)],
+                                 cwd=self.folder, capture_output=True, text=True, preexec_fn=limit_size)
+            self.assertEqual((ran.returncode, "Traceback" in ran.stderr), (1, False), ran.stderr)
+            self.assertEqual({p.name: p.read_bytes() for p in self.folder.iterdir()}, old)
+        with self.assertRaises(KeyboardInterrupt), npy_writer.npy_file(self.folder / "a.npy", 4) as npy:
+            npy.write([(1, 2, 3, 4)])
+            raise KeyboardInterrupt
+        self.assertEqual({p.name: p.read_bytes() for p in self.folder.iterdir()}, old)
+
+    def test_a_scene_in_a_linked_folder_names_its_spheres_from_where_that_is(self):
+        (self.folder / "real/deep").mkdir(parents=True)
+        (self.folder / "link").symlink_to("real/deep")
+        self.run_script("random_box", 9, "-o", "link/s.json", "--npy", "x.npy")
+        self.assertEqual(json.loads((self.folder / "link/s.json").read_text())["spheres"], [{"file": "../../x.npy"}])
+        self.run_script("random_box", 9, "-o", "link/s.json", "--npy", "real/x.npy")
+        self.assertEqual(json.loads((self.folder / "link/s.json").read_text())["spheres"], [{"file": "../x.npy"}])
+        self.assertEqual(self.run_script("random_box", 9, "-o", "/dev/null"), "")
+        self.assertFalse(Path("/dev/null").is_file())
 
     def test_the_sphereflake_in_the_repository_is_the_script_s(self):
         self.assertEqual(self.run_script("sphereflake"), (EXAMPLES / "sphereflake.json").read_text())

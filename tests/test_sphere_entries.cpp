@@ -54,6 +54,18 @@ TEST_CASE("ids count on from spheres to files and back", "[scene_io][sphere_io]"
     CHECK(values_of(sphere_of(scene, 6)) == std::vector<double>{0, 0, 0, 5, 1, 1, 1});
 }
 
+TEST_CASE("a file that is named twice is one in memory", "[scene_io][sphere_io]") {
+    const TempFolder folder;
+    folder.write("grains.npy", array_of(two_grains, 4));
+    const std::string file = R"({"file": "grains.npy"})", green = R"({"file": "grains.npy", "albedo": [0, 1, 0]})";
+    const Scene scene = load_scene(folder.write("scene.json", scene_with("[" + file + "," + green + "]"))).scene;
+    REQUIRE(scene.tables.size() == 2);
+    CHECK(scene.tables[0].owner == scene.tables[1].owner);
+    CHECK(radii(scene) == std::vector<double>{11, 12, 11, 12});
+    CHECK(values_of(sphere_of(scene, 0)) == std::vector<double>{0, 0, 0, 11, 1, 1, 1});
+    CHECK(values_of(sphere_of(scene, 3)) == std::vector<double>{0, 0, 0, 12, 0, 1, 0});
+}
+
 TEST_CASE("an entry alone stands for a list of one", "[scene_io][sphere_io]") {
     const TempFolder folder;
     const auto load = [&](const std::string& spheres) {

@@ -143,6 +143,15 @@ TEST_CASE("a PLY file is read around what are no spheres", "[sphere_io]") {
     check_rows(load_spheres(folder.write("b.ply", bytes), {2.0, {}}), expected);
 }
 
+TEST_CASE("PLY headers may have remarks before the format, and blanks between words and after them", "[sphere_io]") {
+    const TempFolder folder;
+    const std::string header =
+        "ply \r\ncomment first\nobj_info second\nformat  binary_little_endian\t1.0 \nelement   vertex 1 \n"
+        "property float  x\nproperty float y\t\nproperty float z\nproperty float radius\nend_header \t\r\n";
+    check_rows(load_spheres(folder.write("a.ply", header + bytes_of(std::vector<float>{1, 2, 3, 4}))),
+               {{1, 2, 3, 4, 1, 1, 1}});
+}
+
 TEST_CASE("integers that float cannot hold make a table of doubles", "[sphere_io]") {
     const TempFolder folder;
     const std::string head =
@@ -151,6 +160,15 @@ TEST_CASE("integers that float cannot hold make a table of doubles", "[sphere_io
         load_spheres(folder.write("a.ply", head + "end_header\n4294967295 -16777217 5\n"), green_of_radius_2);
     CHECK_FALSE(is_float(table));
     check_rows(table, {{4294967295.0, -16777217, 5, 2, 0.25, 0.5, 0.125}});
+}
+
+TEST_CASE("a radius for all that float cannot hold makes a table of doubles", "[sphere_io]") {
+    const TempFolder folder;
+    const std::string path = folder.write("a.ply", ply_header("ascii", "float", 1, 3) + "1 2 3\n");
+    CHECK(is_float(load_spheres(path, {1e-40, {}})));
+    const SphereTable table = load_spheres(path, {1e-60, {}});
+    CHECK_FALSE(is_float(table));
+    check_rows(table, {{1, 2, 3, 1e-60, 1, 1, 1}});
 }
 
 TEST_CASE("numbers too small for their type are 0", "[sphere_io]") {
@@ -183,6 +201,18 @@ TEST_CASE("atoms take radius and colour from their element", "[sphere_io]") {
     CHECK(iron[0].radius == 2.44);  // Alvarez's
 }
 
+TEST_CASE("atoms are written in several ways", "[sphere_io]") {
+    const TempFolder folder;
+    const auto load = [&](const std::string& text) { return load_spheres(folder.write("a.xyz", text)); };
+    for (const std::string chlorine : {"Cl", "CL", "cl", "17"}) {
+        INFO(chlorine);
+        CHECK(load("1\n\n" + chlorine + " 0 0 0\n")[0].radius == 1.75);
+    }
+    CHECK(load("1\n\n82 0 0 0\n")[0].radius == 2.02);  // lead
+    check_rows(load("1\n\nH 1 2 3 0.5 forces -1\n"), {{1, 2, 3, 1.10, 1, 1, 1}});
+    check_rows(load("1\nProperties=pos:I:3:color:I:3:radius:I:1\n-1 2 3 255 51 0 4\n"), {{-1, 2, 3, 4, 1, 0.2, 0}});
+}
+
 TEST_CASE("defaults go before an element, and a column before defaults", "[sphere_io]") {
     const TempFolder folder;
     const auto load = [&](const std::string& text, const SphereDefaults& defaults) {
@@ -201,7 +231,12 @@ TEST_CASE("defaults go before an element, and a column before defaults", "[spher
     const std::string sized = "1\nProperties=radius:R:1:species:S:1:pos:R:3\n";
     check_rows(load(sized + "9 A7 1 2 3", green_of_radius_2), {{1, 2, 3, 9, 0.25, 0.5, 0.125}});
     CHECK(load(sized + "9 H 1 2 3", {2.0, {}})[0].radius == 9);
-    check_rows(load("1\nproperties=pos:R:3\n1 2 3", {2.0, {}}), {{1, 2, 3, 2, 1, 1, 1}});
+    for (const std::string comment :
+         {"properties=pos:R:3", "Properties = pos:R:3", "t =1 Properties\t= \"pos:R:3\" a= b",
+          "a = b \"c\" energy= Properties= pos:R:3", "= == Properties=pos:R:3 pbc ="}) {
+        INFO(comment);
+        check_rows(load("1\n" + comment + "\n1 2 3", {2.0, {}}), {{1, 2, 3, 2, 1, 1, 1}});
+    }
 }
 
 TEST_CASE("rows that reflect more than arrives are found", "[sphere_io]") {

@@ -1,6 +1,7 @@
 // Files of spheres that are damaged, or lie: each is refused, and told why.
 #include <sys/stat.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "catch.h"
@@ -54,6 +55,7 @@ std::string ply(const std::string& body, const std::string& format = "ascii") {
 
 const std::string vertices =
     "property float x\nproperty float y\nproperty float z\nproperty float radius\nend_header\n";
+const std::string long_line((1 << 20) + 1, '0');  // longer than any of a header
 const std::string two = "element vertex 2\n" + vertices;
 const std::string little = "binary_little_endian";
 
@@ -75,6 +77,32 @@ TEST_CASE("what are no files of spheres is refused", "[sphere_io]") {
     for (const std::string name : {"a.obj", "npy", "a.npy.gz", ""}) {
         check(folder.write("x" + name, "1"), "found no format for spheres, expected .npy, .ply, .xyz or .extxyz");
     }
+}
+
+TEST_CASE("a file that changes while its rows are used is refused", "[sphere_io]") {
+    const TempFolder folder;
+    std::vector<float> rows = grains(5000, 4);
+    const auto bytes = [&] { return npy(npy_dict("<f4", 5000, 4), bytes_of(rows)); };
+    const auto use = [&](const std::string& name, auto change) {
+        const std::string path = folder.write(name, bytes());
+        const SphereTable table = load_spheres(path);
+        table.forget(0, 2000);  // all is well so far
+        change(path);
+        return refusal(wrong_input, [&] { table.forget(2000, 3000); });
+    };
+    const auto later = [](const std::string& path) {  // whatever the clock's step
+        const auto time = std::filesystem::last_write_time(path);
+        std::filesystem::last_write_time(path, time + std::chrono::milliseconds(1));
+    };
+    rows[3] = 99;
+    CHECK(use("a.npy", later) == folder / "a.npy: changed while it was read");
+    const auto append = [&](const std::string& path) { std::ofstream(path, std::ios::app) << 'x'; };
+    CHECK(use("b.npy", append) == folder / "b.npy: changed while it was read");
+    const std::string path = folder.write("c.npy", bytes());
+    const SphereTable table = load_spheres(path);
+    std::filesystem::remove(path);  // another file of that name leaves the first as it is
+    folder.write("c.npy", "x");
+    CHECK_NOTHROW(table.forget(0, 5000));
 }
 
 TEST_CASE("wrong values are refused by row", "[sphere_io]") {
@@ -129,7 +157,9 @@ TEST_CASE("damaged arrays are refused", "[sphere_io]") {
         "a.npy",
         {
             {"hello", {"found no NumPy array: the file does not begin with \\x93NUMPY"}},
-            {good.substr(0, 6), {"found version 0.0 of the format, expected 1.0, 2.0 or 3.0"}},
+            {good.substr(0, 6), {"the file ends in the header"}},
+            {good.substr(0, 7), {"the file ends in the header"}},
+            {"\x93NUMPY" + std::string(2, '\0'), {"found version 0.0 of the format, expected 1.0, 2.0 or 3.0"}},
             {"\x93NUMPY\x04" + good.substr(7), {"found version 4.0"}},
             {"\x93NUMPY\x01\x01" + good.substr(8), {"found version 1.1"}},
             {good.substr(0, 9), {"the file ends in the header"}},
@@ -147,6 +177,7 @@ TEST_CASE("damaged arrays are refused", "[sphere_io]") {
             {npy_shape("()"), {"found an array of shape (), expected"}},
             {npy_shape("(2, 3)"), {"found an array of shape (2, 3), expected"}},
             {npy_shape("(1, 2, 4)"), {"found an array of shape (1, 2, 4), expected"}},
+            {npy_shape("(1, 2, 3, 4, 5, 6, 7, 8, 9)"), {"found an array of shape (1, 2, 3, 4, 5, 6, 7, 8, ...), exp"}},
             {npy_shape("(-2, 4)"), {"in the header, expected a size from 0"}},
             {npy_shape("(2 4)"), {"found \"4), }", "in the header, expected ')'"}},
             {npy_shape("[2, 4]"), {"in the header, expected '('"}},
@@ -177,9 +208,15 @@ TEST_CASE("damaged PLY headers are refused", "[sphere_io]") {
         "a.ply",
         {
             {"plywood\n", {"found no PLY file: the first line is not \"ply\""}},
+            {"plywood" + long_line, {"found no line end within 1 MiB"}},
+            {"x" + long_line, {"found no PLY file"}},
+            {"ply\n" + long_line, {"line 2: found no line end within 1 MiB"}},
+            {ply("comment" + long_line), {"line 3: found no line end within 1 MiB"}},
             {"ply\n", {"the file ends in the header: found no end_header"}},
             {"ply\nformat ascii 2.0\n", {"line 2: found \"format ascii 2.0\", expected \"format\" with ascii,"}},
-            {"ply\ncomment first\n", {"line 2: found \"comment first\", expected \"format\""}},
+            {"ply\ncomment first\nelement vertex 0\n", {"line 3: found \"element vertex 0\", expected \"format\""}},
+            {"ply\nformat ascii 1.0 x\n", {"line 2: found \"format ascii 1.0 x\", expected \"format\""}},
+            {ply("end_header x\n"), {"line 3: found \"end_header x\", expected element"}},
             {ply("elements vertex 2\n"), {"line 3: found \"elements vertex 2\", expected element, property, comment"}},
             {ply("element vertex\n"),
              {"line 3: found \"element vertex\", expected \"element\" with a name and a count"}},
@@ -219,10 +256,11 @@ TEST_CASE("damaged PLY data is refused", "[sphere_io]") {
             {ply(two), {"found 0 bytes, too few for 2 of element \"vertex\"", "was the file written to its end?"}},
             {ply(two) + "1 2 3 4\n1 2 3\n", {"vertex 1: the line ends before the last property"}},
             {ply(two) + "1 2 3 4 5\n1 2 3 4\n", {"vertex 0: found \"5\" after the last property"}},
-            {ply(two) + "1 2 3 4\n1 2,5 3 4\n", {"vertex 1: found \"2,5\", expected a number"}},
+            {ply(two) + "1 2 3 4\n1 2,5 3 4\n",
+             {"vertex 1: found y \"2,5\", expected a number from -3.4028234e38 to 3.4028234e38"}},
             {ply(two) + "1 2 3 4\n1 2 3 1e39\n",
-             {"vertex 1: found \"1e39\", expected a number that its type can hold"}},
-            {ply(two) + "1 2 3 4\n1 2 3 +-4\n", {"vertex 1: found \"+-4\", expected a number"}},
+             {"vertex 1: found radius \"1e39\", expected a number from -3.4028234e38"}},
+            {ply(two) + "1 2 3 4\n1 2 3 +-4\n", {"vertex 1: found radius \"+-4\", expected a number"}},
             {ply(two) + "1 2 3 4\n1 2 3 4\n\n 5\n", {"found 2 bytes after the last element"}},
             {ply(two, little) + bytes.substr(1), {"found 31 bytes, too few for 2 of element \"vertex\""}},
             {ply(two, little) + bytes + "xy", {"found 2 bytes after the last element"}},
@@ -234,9 +272,33 @@ TEST_CASE("damaged PLY data is refused", "[sphere_io]") {
             {ply(list, little) + bytes_of(int32_t{2}) + "x", {"face 0: the file ends here"}},
             {ply(list, little) + bytes_of(int32_t{0x7FFFFFFF}), {"face 0: the file ends here"}},
             {ply(list) + "-1\n", {"face 0: found a list of -1 items"}},
+            {ply(list) + "2 0 256\n", {"face 0: found v \"256\", expected an integer from 0 to 255"}},
             {ply(list) + "3 0 1\n", {"face 0: the line ends before the last property"}},
-            {ply(list) + "x\n", {"face 0: found \"x\", expected a number"}},
+            {ply(list) + "x\n", {"face 0: found v \"x\", expected an integer from -2147483648 to 2147483647"}},
         });
+}
+
+TEST_CASE("words of a PLY file that its types cannot hold are refused", "[sphere_io]") {
+    const auto check = [&](const std::string& type, const std::string& word, const std::string& expected) {
+        const std::string message = "vertex 1: found w \"" + word + "\", expected " + expected;
+        const std::string head = "property " + type + " w\n" + vertices;  // skipped, and checked as those that are used
+        const std::string zero = type.rfind("list", 0) == 0 ? "0" : "7";
+        check_refused("a.ply",
+                      {{ply("element vertex 2\n" + head) + zero + " 1 2 3 4\n" + word + " 1 2 3 4\n", {message}}});
+    };
+    for (const std::string word : {"-129", "128", "1e9", "1.5", "7.0", "x", "99999999999999999999"})
+        check("char", word, "an integer from -128 to 127");
+    for (const std::string word : {"-1", "256", "1.5"}) check("uint8", word, "an integer from 0 to 255");
+    check("short", "32768", "an integer from -32768 to 32767");
+    check("ushort", "65536", "an integer from 0 to 65535");
+    check("int", "2147483648", "an integer from -2147483648 to 2147483647");
+    check("uint", "4294967296", "an integer from 0 to 4294967295");
+    check("float", "abc", "a number from -3.4028234e38 to 3.4028234e38");
+    check("double", "1e309", "a number from -1.7976931e308 to 1.7976931e308");
+    check("list uchar int", "300", "an integer from 0 to 255");
+    const std::string colors = "property uchar red\nproperty uchar green\nproperty uchar blue\n" + vertices;
+    check_refused("a.ply", {{ply("element vertex 1\n" + colors) + "0 255 300 1 2 3 4\n",
+                             {"vertex 0: found blue \"300\", expected an integer from 0 to 255"}}});
 }
 
 TEST_CASE("damaged XYZ files are refused", "[sphere_io]") {
@@ -244,6 +306,8 @@ TEST_CASE("damaged XYZ files are refused", "[sphere_io]") {
     check_refused(
         "a.xyz",
         {
+            {long_line, {"line 1: found no line end within 1 MiB"}},
+            {"1\n" + long_line, {"line 2: found no line end within 1 MiB"}},
             {"x\n", {"line 1: found \"x\", expected the number of atoms"}},
             {"\n", {"line 1: found \"\", expected the number of atoms"}},
             {"-1\n\n", {"line 1: found \"-1\", expected the number of atoms"}},
@@ -260,11 +324,17 @@ TEST_CASE("damaged XYZ files are refused", "[sphere_io]") {
             {"1\n\nH 0 0 1" + std::string(310, '0') + "e-1\n", {"line 3: found \"1000", "expected a number"}},
             {"1\n\nH 0 0 0x1p3\n", {"line 3: found \"0x1p3\", expected a number"}},
             {"1\n\nHydrogen 0 0\n", {"line 3: the line ends before the last column", "Properties=species:S:1"}},
-            {"1\n\nH 0 0 0 9\n", {"line 3: found \"9\" after the last column", "Properties=species:S:1"}},
+            {free + "pos:R:3:radius:R:1\n0 0 0 9 9\n", {"line 3: found \"9\" after the last column"}},
+            {free + "pos:I:3:radius:R:1\n0 0.5 0 9\n", {"line 3: found \"0.5\", expected an integer"}},
+            {free + "pos:R:3:radius:I:1\n0 0 0 1e3\n", {"line 3: found \"1e3\", expected an integer"}},
+            {free + "species:S:1:pos:R:3:color:I:3\nH 0 0 0 0 0 256\n",
+             {"line 3: found 256 in a color of integers, expected 0 to 255"}},
+            {free + "species:S:1:pos:R:3:color:I:3\nH 0 0 0 0 -1 0\n", {"line 3: found -1 in a color of integers"}},
             {"1\n\n\nH 0 0 0\n", {"line 3: the line ends before the last column"}},
             {"2\n\nH 0 0 0\nA7 0 0 0\n",
              {"line 4: found the unknown species \"A7\"", "\"radius\": ..., \"albedo\": ..."}},
-            {"1\n\nCL 0 0 0\n", {"line 3: found the unknown species \"CL\", expected an element"}},
+            {"1\n\n0 0 0 0\n", {"line 3: found the unknown species \"0\", expected an element"}},
+            {"1\n\n110 0 0 0\n", {"line 3: found the unknown species \"110\""}},
             {"1\n\nPm 0 0 0\n", {"line 3: no van der Waals radius is published for \"Pm\""}},
             {free + "species:S:1\nH\n", {"line 2: found no \"pos\" in Properties"}},
             {free + "pos:R\nH\n", {"line 2: found \"pos:R:\" in Properties, expected a name, a type"}},
@@ -274,6 +344,13 @@ TEST_CASE("damaged XYZ files are refused", "[sphere_io]") {
             {free + "pos:S:3\nH\n", {"line 2: found \"pos:S:3\", expected \"pos:R:3\""}},
             {free + "species:R:1:pos:R:3\nH\n", {"line 2: found \"species:R:1\", expected \"species:S:1\""}},
             {free + "pos:R:3:pos:R:3\nH\n", {"line 2: found \"pos\" twice in Properties"}},
+            {free + "\nH 0 0 0\n", {"line 2: found no value of Properties, expected columns"}},
+            {free + "\"\"\nH 0 0 0\n", {"line 2: found no value of Properties"}},
+            {free + " pbc = F\nH 0 0 0\n", {"line 2: found no value of Properties"}},
+            {free + "pos:R:3 PROPERTIES = pos:R:3\n0 0 0\n", {"line 2: found Properties twice"}},
+            {"1\nname=\"x Properties=pos:R:3\n0 0 0\n", {"line 2: found no end of the quoted \"\\\"x Properties"}},
+            {"1\nProperties = species:S:1:vel:R:3\nH 0 0 0\n", {"line 2: found no \"pos\" in Properties"}},
+            {"1\nenergy= Properties =vel:R:3\n0 0 0\n", {"line 2: found no \"pos\" in Properties"}},
             {free + "pos:R:3\n1 2 3\n", {"found no radius: the atoms have neither one nor species"}},
             {free + "a:R:9223372036854775807:b:R:9223372036854775807:pos:R:3\n1 2 3\n", {"too few for 1 atoms"}},
             {free + "species:S:1:pos:R:3:radius:R:1\nA7 1 2 3 4\n", {"line 3: found the unknown species \"A7\""}},
