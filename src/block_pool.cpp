@@ -1,9 +1,8 @@
 #include "block_pool.h"
 
-#include <sys/mman.h>
-
-#include <new>
 #include <utility>
+
+#include "huge_pages.h"
 
 namespace gnomon {
 
@@ -20,11 +19,7 @@ BlockPool::Block BlockPool::take(size_t bytes, size_t most) {
         held_ -= idle_.begin()->first;
         idle_.erase(idle_.begin());
     }
-    Block block{std::unique_ptr<void, Free>(std::aligned_alloc(least, whole)), whole};
-    if (!block.memory) throw std::bad_alloc();
-#ifdef MADV_HUGEPAGE
-    madvise(block.memory.get(), whole, MADV_HUGEPAGE);  // a wish: without, the pages are small
-#endif
+    Block block{std::unique_ptr<void, Free>(allocate_huge(whole)), whole};
     held_ += whole;
     return block;
 }

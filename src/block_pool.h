@@ -7,6 +7,8 @@
 #include <memory>
 #include <mutex>
 
+#include "huge_pages.h"
+
 namespace gnomon {
 
 /// A page that is new must be cleared, which for what is allocated once a pencil costs more than the kernels that fill
@@ -22,8 +24,8 @@ class BlockPool {
         size_t bytes = 0;
     };
 
-    /// The least that is worth a block: a huge page.
-    static constexpr size_t least = size_t{2} << 20;
+    /// The least that is worth a block.
+    static constexpr size_t least = huge_page;
 
     /// At least so many bytes, not cleared. No more than `most` are held in all, idle ones included, as far as those
     /// can be let go. Throws std::bad_alloc.

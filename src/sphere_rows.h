@@ -3,8 +3,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <vector>
 
+#include "huge_pages.h"
 #include "scene.h"
 #include "survey.h"
 
@@ -16,9 +16,9 @@ struct SphereRows {
     const float* rows = nullptr;  ///< into the scene's own table where it holds what is wanted, else into `made`
     int columns = 7;
     int64_t first = 0, count = 0;  ///< ids first, first + 1, ...
-    std::vector<int> ids;          ///< or, when it is not empty, these, ascending
+    HugeVector<int> ids;           ///< or, when it is not empty, these, ascending
     Rgb albedo;                    ///< of all, when there are 4 columns
-    std::vector<float> made, rests;
+    HugeVector<float> made, rests;
     std::function<void()> forget = {};  ///< to be called, if there is one, when the rows were read: see SphereTable
 };
 
