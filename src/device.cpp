@@ -1,7 +1,11 @@
 #include "device.h"
 
+#include <sched.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 
 #include "error.h"
 #include "opencl.h"
@@ -106,6 +110,12 @@ const char* to_string(DeviceType type) {
             break;
     }
     return "other";
+}
+
+void pin_device_threads() {
+    cpu_set_t allowed;
+    if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;  // more cores than a set holds
+    if (CPU_COUNT(&allowed) == sysconf(_SC_NPROCESSORS_ONLN)) setenv("POCL_AFFINITY", "1", 0);
 }
 
 std::vector<DeviceInfo> list_devices() try {

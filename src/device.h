@@ -26,6 +26,11 @@ struct DeviceInfo {
 
 const char* to_string(DeviceType type);
 
+/// Asks PoCL for a core of its own for each of its threads: left to the system two of them may share a core for frames
+/// on end. To be called before devices are listed. Does nothing where POCL_AFFINITY is set already, or where the
+/// process may not run on all cores, which PoCL would not heed.
+void pin_device_threads();
+
 /// All devices of all platforms that have any. Throws Error(Blame::run) when there is no OpenCL platform at all.
 std::vector<DeviceInfo> list_devices();
 

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "commands.h"
+#include "device.h"
 #include "error.h"
 
 namespace {
@@ -17,6 +18,7 @@ int fail(const std::string& message, int code) {
 }  // namespace
 
 int main(int argc, char** argv) try {
+    gnomon::pin_device_threads();
     CLI::App app{"Renders scenes of spheres under directional and point lights with OpenCL kernels.", "gnomon"};
     app.set_version_flag("--version", "gnomon " GNOMON_VERSION);
     app.require_subcommand(0, 1);

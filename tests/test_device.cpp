@@ -1,6 +1,11 @@
 // Which device a request means, among devices that need not exist.
 #include "device.h"
 
+#include <sched.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
 #include "catch.h"
 #include "scenes.h"
 
@@ -121,4 +126,32 @@ TEST_CASE("the devices here describe themselves plausibly", "[device]") {
         CHECK(d.global_bytes >= d.max_alloc_bytes);
         CHECK(chosen(devices, d.number()) == d.number());
     }
+}
+
+TEST_CASE("PoCL's threads are pinned where all cores may be used, and nobody said otherwise", "[device]") {
+    const char* const name = "POCL_AFFINITY";
+    const char* const before = std::getenv(name);
+    const std::string kept = before ? before : "";
+    cpu_set_t all, one;
+    REQUIRE(sched_getaffinity(0, sizeof all, &all) == 0);
+    setenv(name, "0", 1);
+    pin_device_threads();
+    CHECK(std::getenv(name) == std::string("0"));
+    unsetenv(name);
+    if (CPU_COUNT(&all) > 1) {
+        CPU_ZERO(&one);
+        for (size_t cpu = 0; CPU_COUNT(&one) == 0; ++cpu)
+            if (CPU_ISSET(cpu, &all)) CPU_SET(cpu, &one);
+        REQUIRE(sched_setaffinity(0, sizeof one, &one) == 0);
+        pin_device_threads();
+        CHECK(std::getenv(name) == nullptr);
+        REQUIRE(sched_setaffinity(0, sizeof all, &all) == 0);
+    }
+    pin_device_threads();
+    const char* const now = std::getenv(name);
+    if (CPU_COUNT(&all) == sysconf(_SC_NPROCESSORS_ONLN))
+        CHECK((now && now == std::string("1")));
+    else
+        CHECK(now == nullptr);
+    before ? setenv(name, kept.c_str(), 1) : unsetenv(name);
 }

@@ -8,6 +8,7 @@
 
 #include "../run_program.h"
 #include "clock.h"
+#include "device.h"
 #include "error.h"
 #include "measure.h"
 #include "peer.h"
@@ -163,6 +164,7 @@ int main(int argc, char** argv) try {
     CLI::App app{"Times warm frames, and measures the error of what they show."};
     Options options;
     add_options(app, options);
+    pin_device_threads();
     CLI11_PARSE(app, argc, argv);
     if (!options.json.empty()) check_folder(options.json);
     Json reports = Json::array();
