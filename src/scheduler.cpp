@@ -36,6 +36,7 @@ Scheduler::Scheduler(const cl::Context& context, const cl::CommandQueue& queue, 
 }
 
 Measured Scheduler::run(const std::vector<cl::Event>& after, const std::function<void(double)>& progress) {
+    std::vector<int> hits(static_cast<size_t>(groups_));
     // Commands under way write into the film and the counts: never leave before they have ended.
     struct Finish {
         cl::CommandQueue& queue;
@@ -53,7 +54,6 @@ Measured Scheduler::run(const std::vector<cl::Event>& after, const std::function
         for (size_t tile = count - std::min(count, tiles_ahead); tile < count; ++tile) await(tile, progress);
     queue_.finish();
     for (size_t tile = 0; tile < count; ++tile) collect(tile);
-    std::vector<int> hits(static_cast<size_t>(groups_));
     queue_.enqueueReadBuffer(hit_counts_, CL_FALSE, 0, hits.size() * sizeof(int), hits.data());
     if (plan_.write_in_place) map_film();
     queue_.finish();

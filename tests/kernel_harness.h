@@ -157,6 +157,16 @@ inline size_t place(size_t ray, size_t c, size_t n) {
     return (ray / BLOCK_RAYS * n + c) * BLOCK_RAYS + ray % BLOCK_RAYS;
 }
 
+struct Pixel {
+    int i, j;
+};
+/// Which one a tile's ray goes through.
+inline Pixel pixel_of(const Tile& tile, size_t ray) {
+    const int block = static_cast<int>(ray) / BLOCK_RAYS, inner = static_cast<int>(ray) % BLOCK_RAYS;
+    return {tile.x + block % tile.blocks_x * BLOCK_SIDE + inner % BLOCK_SIDE,
+            tile.y + block / tile.blocks_x * BLOCK_SIDE + inner / BLOCK_SIDE};
+}
+
 /// Block order; the last block is filled up with `rest`.
 inline std::vector<float> packed(const std::vector<Float3>& rays, float rest = NAN) {
     std::vector<float> values((rays.size() + BLOCK_RAYS - 1) / BLOCK_RAYS * BLOCK_RAYS * 3, rest);

@@ -50,15 +50,6 @@ std::vector<float> generate(Bench& bench, const Scene& scene, const Tile& tile) 
     return dirs;
 }
 
-struct Pixel {
-    int i, j;
-};
-Pixel pixel_of(const Tile& tile, size_t ray) {
-    const int block = static_cast<int>(ray) / BLOCK_RAYS, inner = static_cast<int>(ray) % BLOCK_RAYS;
-    return {tile.x + block % tile.blocks_x * BLOCK_SIDE + inner % BLOCK_SIDE,
-            tile.y + block / tile.blocks_x * BLOCK_SIDE + inner / BLOCK_SIDE};
-}
-
 /// A tile that holds the whole image.
 Tile whole(const ImageSize& image) {
     const int x = (image.width + BLOCK_SIDE - 1) / BLOCK_SIDE, y = (image.height + BLOCK_SIDE - 1) / BLOCK_SIDE;

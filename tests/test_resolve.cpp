@@ -19,12 +19,9 @@ struct Shape {
 
 std::vector<int> blocks_of(const Tile& tile, size_t components) {
     std::vector<int> blocks(static_cast<size_t>(tile.blocks) * BLOCK_RAYS * components);
-    for (int ray = 0; ray < tile.blocks * BLOCK_RAYS; ++ray) {
-        const int block = ray / BLOCK_RAYS, inner = ray % BLOCK_RAYS;
-        const int i = tile.x + block % tile.blocks_x * BLOCK_SIDE + inner % BLOCK_SIDE;
-        const int j = tile.y + block / tile.blocks_x * BLOCK_SIDE + inner / BLOCK_SIDE;
-        for (size_t c = 0; c < components; ++c)
-            blocks[place(static_cast<size_t>(ray), c, components)] = value_of(c, i, j);
+    for (size_t ray = 0; ray < blocks.size() / components; ++ray) {
+        const auto [i, j] = pixel_of(tile, ray);
+        for (size_t c = 0; c < components; ++c) blocks[place(ray, c, components)] = value_of(c, i, j);
     }
     return blocks;
 }

@@ -138,9 +138,7 @@ TEST_CASE("shade_light: the last light's launch resolves what it leaves", "[shad
             const auto pixels = static_cast<size_t>(image.width * image.height);
             std::vector<float> expected = sentinels<float>(3 * pixels);
             for (size_t ray = 0; ray < hits.size(); ++ray) {
-                const int block = static_cast<int>(ray / BLOCK_RAYS), inner = static_cast<int>(ray % BLOCK_RAYS);
-                const int x = tile.x + block % tile.blocks_x * BLOCK_SIDE + inner % BLOCK_SIDE;
-                const int y = tile.y + block / tile.blocks_x * BLOCK_SIDE + inner / BLOCK_SIDE;
+                const auto [x, y] = pixel_of(tile, ray);
                 if (x >= image.width || y >= image.height) continue;
                 for (size_t c = 0; c < 3; ++c)
                     expected[c * pixels + static_cast<size_t>(y * image.width + x)] = blocks[place(ray, c, 3)];
