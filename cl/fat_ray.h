@@ -15,15 +15,25 @@ typedef struct {
     float distance;  // what begins beyond is of no interest
 } FatRay;
 
-// The unit normal of the plane through the apex and X = x (axis 0) or Y = y that points toward larger X (sign 1).
-static inline Float3 side(Float3 across, Float3 axis, float x, float sign) {
-    const float scale = sign / sqrt(fma(x, x, 1.0f));
+// The normal of the plane through the apex and X = x or Y = x, times `scale`.
+static inline Float3 side(Float3 across, Float3 axis, float x, float scale) {
     return (Float3){fma(-x, axis.x, across.x) * scale, fma(-x, axis.y, across.y) * scale,
                     fma(-x, axis.z, across.z) * scale};
 }
 
-// `open` says which of the rays count. Where one is not on the axis's side the rectangle is the whole plane, the
-// normals are NaN, and everything is kept.
+// Where a side is infinite its normal is NaN, and everything is kept.
+static inline FatRay fat_ray_between(float x0, float x1, float y0, float y1, Basis basis) {
+    const float4 at = (float4)(x0, x1, y0, y1);
+    const float4 scale = (float4)(-1.0f, 1.0f, -1.0f, 1.0f) / sqrt(fma(at, at, (float4)(1.0f)));
+    FatRay fat = {x0, x1, y0, y1, {{0, 0, 0}}, basis.axis, INFINITY};
+    fat.plane[0] = side(basis.u, basis.axis, x0, scale.x);
+    fat.plane[1] = side(basis.u, basis.axis, x1, scale.y);
+    fat.plane[2] = side(basis.v, basis.axis, y0, scale.z);
+    fat.plane[3] = side(basis.v, basis.axis, y1, scale.w);
+    return fat;
+}
+
+// `open` says which of the rays count. Where one is not on the axis's side the rectangle is the whole plane.
 static inline FatRay fat_ray(const vec3w* dir, const intw* open, Basis basis) {
 #if WALK == WALK_SPHERES
     return (FatRay){0};  // nobody looks at it
@@ -38,25 +48,15 @@ static inline FatRay fat_ray(const vec3w* dir, const intw* open, Basis basis) {
         y1 = MORE(open[k] ? y : y1, y1);
         ahead = LESS(open[k] ? along : ahead, ahead);
     }
-    FatRay fat = {-INFINITY, INFINITY, -INFINITY, INFINITY, {{0, 0, 0}}, basis.axis, INFINITY};
-    if (REDUCE(least, ahead) > 0.0f) {
-        fat.x0 = REDUCE(least, x0);
-        fat.x1 = REDUCE(most, x1);
-        fat.y0 = REDUCE(least, y0);
-        fat.y1 = REDUCE(most, y1);
-    }
-    fat.plane[0] = side(basis.u, basis.axis, fat.x0, -1.0f);
-    fat.plane[1] = side(basis.u, basis.axis, fat.x1, 1.0f);
-    fat.plane[2] = side(basis.v, basis.axis, fat.y0, -1.0f);
-    fat.plane[3] = side(basis.v, basis.axis, fat.y1, 1.0f);
-    return fat;
+    if (!(REDUCE(least, ahead) > 0.0f)) return fat_ray_between(-INFINITY, INFINITY, -INFINITY, INFINITY, basis);
+    return fat_ray_between(REDUCE(least, x0), REDUCE(most, x1), REDUCE(least, y0), REDUCE(most, y1), basis);
 #endif
 }
 
 // Which spheres of a cluster the fat ray may meet, as bits: those that it cannot be shown to miss, so that NaN keeps
 // them.
 static inline int candidates(FatRay fat, global const PencilCluster* c) {
-#if WALK == WALK_SPHERES
+#if WALK == WALK_SPHERES && RAYS != RAYS_GENERATED
     return filled(c);
 #endif
     int kept = 0;

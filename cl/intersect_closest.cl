@@ -1,9 +1,9 @@
 // intersect_closest: the first sphere that each ray of the eye's pencil meets.
 //
 // Reads dirs (block order, 3 a ray) and the hierarchy of the spheres as the eye sees them; with -D RAYS=RAYS_GENERATED
-// it writes dirs itself, as generate_rays would. Writes per ray t, the outward unit normal and the id (a miss: +inf,
-// (inf, inf, inf), -1); adds to hit_counts[first_group + g] how many more rays of work-group g hit. Where the spheres
-// come in chunks (-D CHUNKS=1) and this is not the first of them, what was
+// it writes dirs itself, as generate_rays would, but not those of work-items that meet nothing. Writes per ray t, the
+// outward unit normal and the id (a miss: +inf, (inf, inf, inf), -1); adds to hit_counts[first_group + g] how many more
+// rays of work-group g hit. Where the spheres come in chunks (-D CHUNKS=1) and this is not the first of them, what was
 // written for those before is read, and stays where nothing is closer. One work-item: PACKETS * LANES neighbouring rays
 // of a block against the spheres that their fat ray may meet.
 #include "eye_pencil.h"
@@ -20,6 +20,26 @@ typedef struct {
     intw id;
     vec3w center;
 } Hit;
+
+static inline Hit no_hit(void) { return (Hit){wide(INFINITY), (intw)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}}; }
+
+static inline void store_misses(global float* ts, global float* normals, global int* ids, int item) {
+    FOR_PACKETS(k) {
+        store_f(wide(INFINITY), ts, item, k);
+        store_3(broadcast((Float3){INFINITY, INFINITY, INFINITY}), normals, item, k);
+        store_i((intw)(-1), ids, item, k);
+    }
+}
+
+// The next cluster with spheres that the fat ray may meet, and these as bits; -1 after the last.
+static inline int next_candidates(Hierarchy hierarchy, Traversal* traversal, FatRay fat, int* spheres) {
+    int c;
+    do {
+        c = next_cluster(hierarchy, traversal, fat);
+        *spheres = c < 0 ? 0 : candidates(fat, hierarchy.clusters + c);
+    } while (c >= 0 && !*spheres);
+    return c;
+}
 
 // 0 when no ray can have a closer hit now than before. Without a branch for each packet, which would be guessed wrong
 // half of the time.
@@ -52,7 +72,7 @@ static inline float farthest_hit(const Hit* hit, const intw* valid) {
 }
 
 static inline vec3w outward_normal(Hit hit, vec3w dir) {
-    const vec3w infinite = {wide(INFINITY), wide(INFINITY), wide(INFINITY)};
+    const vec3w infinite = broadcast((Float3){INFINITY, INFINITY, INFINITY});
     const intw hits = hit.id >= 0;
     if (!any_lane(hits)) return infinite;
     const vec3w out = fma_w(hit.t, dir, (vec3w){-hit.center.x, -hit.center.y, -hit.center.z});
@@ -66,8 +86,20 @@ kernel void intersect_closest(global float* restrict dirs, const EyePencil eye, 
                               const int first_group, global int* restrict hit_counts) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
+    const Hierarchy hierarchy = {clusters, nodes, levels, last};
     vec3w dir[PACKETS];
     Hit hit[PACKETS];
+    intw valid[PACKETS];
+#if RAYS == RAYS_GENERATED
+    // Most work-items that meet nothing are known before their rays are.
+    FatRay fat = eye_fat_ray(eye, tile, item, basis);
+    Traversal traversal = begin(hierarchy, fat);
+    int rest, c = next_candidates(hierarchy, &traversal, fat, &rest);
+    if (c < 0) {
+        store_misses(ts, normals, ids, item);
+        return;
+    }
+#endif
     FOR_PACKETS(k) {
 #if RAYS == RAYS_GENERATED
         dir[k] = eye_rays(eye, tile, item, k);
@@ -75,7 +107,8 @@ kernel void intersect_closest(global float* restrict dirs, const EyePencil eye, 
 #else
         dir[k] = load_3(dirs, item, k);
 #endif
-        hit[k] = (Hit){wide(INFINITY), (intw)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}};
+        valid[k] = dir[k].x == dir[k].x;  // pixels outside the image are NaN
+        hit[k] = no_hit();
     }
 #if CHUNKS
     if (!first_chunk) FOR_PACKETS(k) {
@@ -83,20 +116,17 @@ kernel void intersect_closest(global float* restrict dirs, const EyePencil eye, 
             hit[k].id = load_i(ids, item, k);
         }
 #endif
-    intw valid[PACKETS];
-    FOR_PACKETS(k) valid[k] = dir[k].x == dir[k].x;  // pixels outside the image are NaN
-    const Hierarchy hierarchy = {clusters, nodes, levels, last};
+#if RAYS == RAYS_READ
     FatRay fat = fat_ray(dir, valid, basis);
 #if CHUNKS
     fat.distance = farthest_hit(hit, valid);
 #endif
     Traversal traversal = begin(hierarchy, fat);
-    for (int c; (c = next_cluster(hierarchy, &traversal, fat)) >= 0;) {
+    int rest, c = next_candidates(hierarchy, &traversal, fat, &rest);
+#endif
+    for (; c >= 0; c = next_candidates(hierarchy, &traversal, fat, &rest)) {
         int closer = 0;
-        for (int rest = candidates(fat, clusters + c); rest; rest &= rest - 1) {
-            const PencilSphere s = sphere_of(clusters + c, lowest_bit(rest));
-            closer |= intersect(s, dir, hit);
-        }
+        for (; rest; rest &= rest - 1) closer |= intersect(sphere_of(clusters + c, lowest_bit(rest)), dir, hit);
 #if WALK == WALK_NODES
         if (!closer) continue;
         traversal.farthest = farthest_hit(hit, valid);

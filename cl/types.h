@@ -12,8 +12,9 @@
 #define LIGHT_DIRECTIONAL 0
 #define LIGHT_POINT 1
 
-// How rays meet the spheres: all of them, one by one; those of each cluster that their fat ray (fat_ray.h) may meet;
-// those of each cluster that the nodes above it do not rule out.
+// How rays meet the spheres: all of them, one by one (but for the eye's rays, whose fat ray costs next to nothing);
+// those of each cluster that their fat ray (fat_ray.h) may meet; those of each cluster that the nodes above it do not
+// rule out.
 #define WALK_SPHERES 0
 #define WALK_CLUSTERS 1
 #define WALK_NODES 2

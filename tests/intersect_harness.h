@@ -3,6 +3,7 @@
 
 #include "guarded_spheres.h"
 #include "kernel_harness.h"
+#include "pencil.h"
 #include "reference.h"
 
 namespace gnomon::test {
@@ -55,6 +56,26 @@ inline Hits closest(Bench& bench, const Scene& scene, const std::vector<Float3>&
         CHECK(same_bits(closest(bench, w, scene.camera, spheres, dirs), hits));
     }
     return hits;
+}
+
+/// Of the pixels of a tile, with the rays that intersect_closest generates itself; `dirs` are these, packed.
+inline Hits closest_of_pixels(Bench& bench, Width w, const Scene& scene, const Tile& tile, const PencilSpheres& spheres,
+                              std::vector<float>* dirs_out = nullptr) {
+    INFO(w << " " << spheres.walk);
+    const size_t rays = static_cast<size_t>(tile.blocks) * BLOCK_RAYS;
+    const int items = static_cast<int>(rays) / w.rays();
+    const GuardedSpheres in(bench, spheres);
+    const GuardedBuffer<float> dirs(bench, 3 * rays), ts(bench, rays), normals(bench, 3 * rays);
+    const GuardedBuffer<int> ids(bench, rays);
+    const GuardedBuffer<int> counts(bench, std::vector<int>(static_cast<size_t>(items / bench.local + 1)));
+    const Variant variant{Kernel::intersect_closest,
+                          w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_GENERATED"})};
+    bench.launch(bench.programs.get(variant).kernel, items, dirs.buffer(), eye_pencil(scene.camera, scene.image), tile,
+                 eye_basis(scene.camera), in.clusters.buffer(), in.nodes.buffer(), spheres.levels, spheres.last, 1,
+                 items, ts.buffer(), normals.buffer(), ids.buffer(), 0, counts.buffer());
+    in.check_unchanged();
+    if (dirs_out) *dirs_out = dirs.read();
+    return {ts.read(), normals.read(), ids.read(), counts.read()};
 }
 
 inline bool is_miss(const Hits& hits, size_t ray) {

@@ -1,8 +1,6 @@
 // generate_rays alone: directions against the reference's, by tiles, over the image's edges and beyond.
-#include "guarded_spheres.h"
-#include "kernel_harness.h"
-#include "pencil.h"
-#include "reference.h"
+#include "intersect_harness.h"
+#include "random_camera.h"
 
 using namespace gnomon;
 using namespace gnomon::test;
@@ -18,24 +16,13 @@ std::vector<float> generate(Bench& bench, Width w, const EyePencil& eye, const T
     return dirs.read();
 }
 
-/// As intersect_closest generates them for itself.
+/// As intersect_closest generates them for itself, where all of them meet something.
 std::vector<float> generate_and_intersect(Bench& bench, Width w, const Scene& scene, const Tile& tile) {
-    INFO(w);
-    const size_t rays = static_cast<size_t>(tile.blocks) * BLOCK_RAYS;
-    const int items = static_cast<int>(rays) / w.rays();
     Scene with_sphere = scene;
-    with_sphere.spheres = {{scene.camera.at, 1, {}}};
-    const PencilSpheres spheres = brute(seen_from_eye(bench, with_sphere));
-    const GuardedSpheres in(bench, spheres);
-    const GuardedBuffer<float> dirs(bench, 3 * rays), ts(bench, rays), normals(bench, 3 * rays);
-    const GuardedBuffer<int> ids(bench, rays);
-    const GuardedBuffer<int> counts(bench, std::vector<int>(static_cast<size_t>(items / bench.local + 1)));
-    const Variant variant{Kernel::intersect_closest,
-                          w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_GENERATED"})};
-    bench.launch(bench.programs.get(variant).kernel, items, dirs.buffer(), eye_pencil(scene.camera, scene.image), tile,
-                 eye_basis(scene.camera), in.clusters.buffer(), in.nodes.buffer(), spheres.levels, spheres.last, 1,
-                 items, ts.buffer(), normals.buffer(), ids.buffer(), 0, counts.buffer());
-    return dirs.read();
+    with_sphere.spheres = {{scene.camera.eye, 1, {}}};
+    std::vector<float> dirs;
+    closest_of_pixels(bench, w, scene, tile, brute(seen_from_eye(bench, with_sphere)), &dirs);
+    return dirs;
 }
 
 /// Of one ray a work-item, after checking that the other widths, and intersect_closest, give the same bits.
@@ -50,11 +37,6 @@ std::vector<float> generate(Bench& bench, const Scene& scene, const Tile& tile) 
     return dirs;
 }
 
-/// A tile that holds the whole image.
-Tile whole(const ImageSize& image) {
-    const int x = (image.width + BLOCK_SIDE - 1) / BLOCK_SIDE, y = (image.height + BLOCK_SIDE - 1) / BLOCK_SIDE;
-    return {0, 0, x, x * y};
-}
 Float3 at(const std::vector<float>& dirs, const Tile& tile, int i, int j) {
     const int block = j / BLOCK_SIDE * tile.blocks_x + i / BLOCK_SIDE;
     return unpacked(dirs, static_cast<size_t>(block * BLOCK_RAYS + j % BLOCK_SIDE * BLOCK_SIDE + i % BLOCK_SIDE));
@@ -92,18 +74,6 @@ void check_right(Bench& bench, const Scene& scene, const Tile& tile, int inside)
     CHECK(wrong.directions == 0);
     CHECK(wrong.lengths == 0);
     CHECK(wrong.outside == 0);
-}
-
-Scene random_camera(Random& random, double fov, int width, int height) {
-    Scene scene;
-    scene.image = {width, height};
-    scene.camera.eye = random.direction() * random.scale(0.01, 1e4);
-    const Vec3 ahead = random.direction();
-    scene.camera.at = scene.camera.eye + ahead * random.scale(0.1, 100);
-    scene.camera.up = random.direction();
-    while (length(cross(scene.camera.up, ahead)) < 0.1) scene.camera.up = random.direction();
-    scene.camera.fov = fov;
-    return scene;
 }
 
 }  // namespace
