@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,25 @@ class DevicesCommand {
   private:
     CLI::App* command_;
     bool json_ = false;
+};
+
+/// gnomon diff A.exr B.exr ...
+class DiffCommand {
+  public:
+    explicit DiffCommand(CLI::App& app);
+    bool chosen() const { return command_->parsed(); }
+    /// The exit code: 0 same, 1 different; throws Error, all of them with code 2.
+    int run() const;
+
+  private:
+    void check_outputs() const;
+    int compare() const;
+
+    CLI::App* command_;
+    std::string path_a_, path_b_, output_, json_path_;
+    std::vector<std::string> tolerances_;
+    int64_t allowed_ = 0;
+    bool quiet_ = false;
 };
 
 }  // namespace gnomon

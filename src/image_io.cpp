@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "channels.h"
 #include "display.h"
 #include "error.h"
 #include "temporary_file.h"
@@ -31,13 +32,6 @@ constexpr const char* common_formats = "try .exr, .png, .tif or .jpg";
 
 /// Of zlib, 1 to 9. A 1024x768 picture of shaded spheres: level 1 130 kB in 30 ms, 3 97 kB in 30 ms, 6 69 kB in 42 ms.
 constexpr int png_compression = 3;
-
-bool is_exr(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".exr";
-}
 
 /// Left alone, OpenImageIO puts the current time into the files whose format has a place for one, and the same picture
 /// would never give the same bytes. https://reproducible-builds.org/specs/source-date-epoch/
@@ -105,14 +99,8 @@ std::vector<Channel> channels_of(const Film& film) {
         static_assert(sizeof plane[0] == value_size);
         if (!plane.empty()) channels.push_back({name, type, reinterpret_cast<const unsigned char*>(plane.data())});
     };
-    add("R", TypeDesc::FLOAT, film.radiance[0]);
-    add("G", TypeDesc::FLOAT, film.radiance[1]);
-    add("B", TypeDesc::FLOAT, film.radiance[2]);
-    add("distance.Z", TypeDesc::FLOAT, film.distance);
-    add("N.X", TypeDesc::FLOAT, film.normal[0]);
-    add("N.Y", TypeDesc::FLOAT, film.normal[1]);
-    add("N.Z", TypeDesc::FLOAT, film.normal[2]);
-    add("id", TypeDesc::UINT32, film.id);  // -1 becomes 0xFFFFFFFF: EXR has no signed integers
+    for (size_t c = 0; c < float_channels.size(); ++c) add(float_channels[c].name, TypeDesc::FLOAT, plane_of(film, c));
+    add(id_channel, TypeDesc::UINT32, film.id);  // -1 becomes 0xFFFFFFFF: EXR has no signed integers
     return channels;
 }
 
@@ -228,6 +216,13 @@ void check_place(const std::string& path) {
 }
 
 }  // namespace
+
+bool is_exr(const std::string& path) {
+    std::string extension = fs::path(path).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension == ".exr";
+}
 
 Outputs outputs_for(const std::string& path, const Display& display) {
     if (is_exr(path)) return {true, true, true, true};

@@ -1,4 +1,4 @@
-// Films to image files. Its .cpp is the only file that names OpenImageIO.
+// Films to image files. Only its .cpp and that of image_read.h name OpenImageIO.
 #pragma once
 
 #include <string>
@@ -21,6 +21,9 @@ struct Display {
 
 /// Name and value, kept in the file's header.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
+
+/// Whether the name says that the file holds numbers, and not a view.
+bool is_exr(const std::string& path);
 
 /// The planes that writing `path` needs: all of them for an EXR, the view's for anything else.
 Outputs outputs_for(const std::string& path, const Display& display);

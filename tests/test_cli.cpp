@@ -34,6 +34,7 @@ TEST_CASE("version and help print and succeed", "[cli]") {
     CHECK(help.code == 0);
     CHECK(contains(help.out, "render"));
     CHECK(contains(help.out, "devices"));
+    CHECK(contains(help.out, "diff"));
     const Ran render_help = run_program("render --help");
     CHECK(render_help.code == 0);
     for (const char* flag : {"--output", "--device", "--size", "--view", "--no-shadows", "--lanes", "--tile",
