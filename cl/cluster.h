@@ -19,9 +19,6 @@ static inline PencilSphere sphere_of(global const PencilCluster* c, int i) {
 // decides whether a line meets it: see sphere.h.
 static inline int looks_small(PencilSphere s) { return s.r2 < s.power; }
 
-// The position of the lowest bit set.
-static inline int lowest_bit(int mask) { return 31 - clz(mask & -mask); }
-
 // LANES neighbouring values.
 static inline floatw lanes_at(global const float* values, int first) { return *(global const floatw*)(values + first); }
 static inline intw ids_at(global const int* values, int first) { return *(global const intw*)(values + first); }

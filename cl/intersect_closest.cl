@@ -4,8 +4,10 @@
 // it writes dirs itself, as generate_rays would, but not those of work-items that meet nothing. Writes per ray t, the
 // outward unit normal and the id (a miss: +inf, (inf, inf, inf), -1); adds to hit_counts[first_group + g] how many more
 // rays of work-group g hit. Where the spheres come in chunks (-D CHUNKS=1) and this is not the first of them, what was
-// written for those before is read, and stays where nothing is closer. One work-item: PACKETS * LANES neighbouring rays
-// of a block against the spheres that their fat ray may meet.
+// written for those before is read, and stays where nothing is closer. With -D CERTIFIED=1 it also writes doubts (2 a
+// ray): how far the position may be off, +inf where rounding may have decided what is hit, and the normal. One
+// work-item: PACKETS * LANES neighbouring rays of a block against the spheres that their fat ray may meet.
+#include "certify.h"
 #include "eye_pencil.h"
 #include "fat_ray.h"
 #include "sphere.h"
@@ -19,15 +21,30 @@ typedef struct {
     floatw t;
     intw id;
     vec3w center;
+#if CERTIFIED
+    floatw doubt;   // of t
+    floatw unsure;  // what rounding may have decided lies no nearer than this
+#endif
 } Hit;
 
-static inline Hit no_hit(void) { return (Hit){wide(INFINITY), (intw)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}}; }
+static inline Hit no_hit(void) {
+    Hit hit = {wide(INFINITY), (intw)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}};
+#if CERTIFIED
+    hit.doubt = wide(0.0f);
+    hit.unsure = wide(INFINITY);
+#endif
+    return hit;
+}
 
-static inline void store_misses(global float* ts, global float* normals, global int* ids, int item) {
+static inline void store_misses(global float* ts, global float* normals, global int* ids, global float* doubts,
+                                int item) {
     FOR_PACKETS(k) {
         store_f(wide(INFINITY), ts, item, k);
         store_3(broadcast((Float3){INFINITY, INFINITY, INFINITY}), normals, item, k);
         store_i((intw)(-1), ids, item, k);
+#if CERTIFIED
+        store_2(wide(0.0f), wide(0.0f), doubts, item, k);
+#endif
     }
 }
 
@@ -41,9 +58,69 @@ static inline int next_candidates(Hierarchy hierarchy, Traversal* traversal, Fat
     return c;
 }
 
+#if CERTIFIED
+
+// Whether and where the spheres meet a ray, as far as bounds can tell.
+typedef struct {
+    floatw t, doubt;
+    intw meets, unsure;
+    floatw nearest;  // where it is unsure, not nearer than this
+} Meeting;
+
+static inline Meeting judge(PencilSphere s, Doubt doubt, vec3w dir, float base, floatw b, floatw discriminant) {
+    const float edge = doubt.discriminant;
+    const int outside = s.power > doubt.power, inside = s.power < -doubt.power;
+    const intw crosses = discriminant > edge, passes = discriminant < -edge, behind = b < -doubt.shift;
+    const intw misses = passes | (outside ? behind : (intw)(0));
+    Meeting m;
+    m.meets = inside ? crosses : outside ? crosses & (b > doubt.shift) : (intw)(0);
+    m.unsure = !(m.meets | misses);
+    const floatw root = square_root(discriminant);
+    m.t = sphere_root(s, b, discriminant);
+    m.doubt = root_doubt(doubt, s, dir, base, b, discriminant, root, m.t);
+    m.unsure |= m.meets & !(m.doubt < INFINITY);
+    m.meets &= !m.unsure;
+    // Here D < 2 edge, or nothing is known.
+    const floatw nearest = b - (doubt.shift + 1.5f * sqrt(edge));
+    m.nearest = (outside ? nearest > -INFINITY : (intw)(0)) ? nearest : wide(-INFINITY);
+    return m;
+}
+
+static inline void decide(PencilSphere s, Meeting m, Hit* hit) {
+    const floatw near = m.t - m.doubt, far = m.t + m.doubt;
+    const floatw hit_near = hit->t - hit->doubt, hit_far = hit->t + hit->doubt;
+    const intw apart = (near > hit_far) | (far < hit_near), tied = m.meets & !apart;
+    hit->unsure = LESS(m.unsure ? m.nearest : wide(INFINITY), hit->unsure);
+    hit->unsure = LESS(tied ? LESS(near, hit_near) : wide(INFINITY), hit->unsure);
+    const intw closer = m.meets & (m.t < hit->t);
+    hit->t = closer ? m.t : hit->t;
+    hit->id = closer ? (intw)(s.id) : hit->id;
+    hit->center = select_w(closer, broadcast(s.center), hit->center);
+    hit->doubt = closer ? m.doubt : hit->doubt;
+}
+
+// 0 when no ray can have a closer hit now than before.
+static inline int intersect(PencilSphere s, const vec3w* dir, float base, Hit* hit) {
+    const Doubt doubt = doubt_of(s, EYE_TURN, base);
+    floatw b[PACKETS], discriminant[PACKETS];
+    intw any = 0;
+    FOR_PACKETS(k) {
+        b[k] = dot_f(s.center, dir[k]);
+        discriminant[k] = sphere_discriminant(s, dir[k], b[k]);
+        any |= !(discriminant[k] < -doubt.discriminant);
+    }
+    if (!any_lane(any)) return 0;
+    FOR_PACKETS(k) decide(s, judge(s, doubt, dir[k], base, b[k], discriminant[k]), hit + k);
+    return 1;
+}
+
+static inline floatw reaches(Hit hit) { return hit.t + hit.doubt; }
+
+#else
+
 // 0 when no ray can have a closer hit now than before. Without a branch for each packet, which would be guessed wrong
 // half of the time.
-static inline int intersect(PencilSphere s, const vec3w* dir, Hit* hit) {
+static inline int intersect(PencilSphere s, const vec3w* dir, float base, Hit* hit) {
     floatw b[PACKETS], discriminant[PACKETS];
     intw meets[PACKETS], any = 0;
     FOR_PACKETS(k) {
@@ -64,26 +141,48 @@ static inline int intersect(PencilSphere s, const vec3w* dir, Hit* hit) {
     return 1;
 }
 
+static inline floatw reaches(Hit hit) { return hit.t; }
+
+#endif
+
 // Where the farthest of the closest hits is; rays that are none do not count.
 static inline float farthest_hit(const Hit* hit, const intw* valid) {
     floatw farthest = wide(0.0f);
-    FOR_PACKETS(k) farthest = MORE(valid[k] ? hit[k].t : wide(0.0f), farthest);
+    FOR_PACKETS(k) farthest = MORE(valid[k] ? reaches(hit[k]) : wide(0.0f), farthest);
     return REDUCE(most, farthest);
 }
 
-static inline vec3w outward_normal(Hit hit, vec3w dir) {
+// With 1 / |position - centre|, at hits.
+static inline vec3w outward_normal(Hit hit, vec3w dir, floatw* inverse) {
+    *inverse = wide(0.0f);
     const vec3w infinite = broadcast((Float3){INFINITY, INFINITY, INFINITY});
     const intw hits = hit.id >= 0;
     if (!any_lane(hits)) return infinite;
     const vec3w out = fma_w(hit.t, dir, (vec3w){-hit.center.x, -hit.center.y, -hit.center.z});
-    return select_w(hits, scale_w(divide(wide(1.0f), square_root(dot_w(out, out))), out), infinite);
+    *inverse = divide(wide(1.0f), square_root(dot_w(out, out)));
+    return select_w(hits, scale_w(*inverse, out), infinite);
 }
+
+#if CERTIFIED
+// The position is off by t's doubt along the ray and, the ray's turn and two roundings, 8 u t across it; the normal by
+// that, the centre's rounding, 1 u |f| <= u (t + r), and out's own, over the radius, which is |out| but for as much.
+// Twice the quotient serves while it is below 1/2; beyond, nothing is known.
+static inline void store_doubts(Hit hit, floatw inverse, float base, global float* doubts, int item, int k) {
+    const floatw position = fma(wide(8 * ROUNDING), hit.t, hit.doubt);
+    const floatw share = fma(fma(wide(4 * ROUNDING), hit.t, position + base), inverse, wide(4 * ROUNDING));
+    const intw hits = hit.id >= 0, sure = hits ? hit.unsure > reaches(hit) : hit.unsure == INFINITY;
+    const floatw of_position = hits ? position : wide(0.0f);
+    store_2(sure ? of_position : wide(INFINITY),
+            share < 0.5f ? fma(wide(2.0f), share, wide(4 * ROUNDING)) : wide(INFINITY), doubts, item, k);
+}
+#endif
 
 kernel void intersect_closest(global float* restrict dirs, const EyePencil eye, const Tile tile, const Basis basis,
                               global const PencilCluster* restrict clusters, global const Node* restrict nodes,
                               const int levels, const int last, const int first_chunk, const int items,
                               global float* restrict ts, global float* restrict normals, global int* restrict ids,
-                              const int first_group, global int* restrict hit_counts) {
+                              const int first_group, global int* restrict hit_counts, const float base,
+                              global float* restrict doubts) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
     const Hierarchy hierarchy = {clusters, nodes, levels, last};
@@ -96,7 +195,7 @@ kernel void intersect_closest(global float* restrict dirs, const EyePencil eye, 
     Traversal traversal = begin(hierarchy, fat);
     int rest, c = next_candidates(hierarchy, &traversal, fat, &rest);
     if (c < 0) {
-        store_misses(ts, normals, ids, item);
+        store_misses(ts, normals, ids, doubts, item);
         return;
     }
 #endif
@@ -126,7 +225,7 @@ kernel void intersect_closest(global float* restrict dirs, const EyePencil eye, 
 #endif
     for (; c >= 0; c = next_candidates(hierarchy, &traversal, fat, &rest)) {
         int closer = 0;
-        for (; rest; rest &= rest - 1) closer |= intersect(sphere_of(clusters + c, lowest_bit(rest)), dir, hit);
+        for (; rest; rest &= rest - 1) closer |= intersect(sphere_of(clusters + c, lowest_bit(rest)), dir, base, hit);
 #if WALK == WALK_NODES
         if (!closer) continue;
         traversal.farthest = farthest_hit(hit, valid);
@@ -136,7 +235,11 @@ kernel void intersect_closest(global float* restrict dirs, const EyePencil eye, 
     intw hits = 0;
     FOR_PACKETS(k) {
         store_f(hit[k].t, ts, item, k);
-        vec3w normal = outward_normal(hit[k], dir[k]);
+        floatw inverse;
+        vec3w normal = outward_normal(hit[k], dir[k], &inverse);
+#if CERTIFIED
+        store_doubts(hit[k], inverse, base, doubts, item, k);
+#endif
         hits += hit[k].id >= 0 ? (intw)(1) : (intw)(0);
 #if CHUNKS
         if (!first_chunk) {

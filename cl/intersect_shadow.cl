@@ -22,6 +22,6 @@ kernel void intersect_shadow(global const float* restrict dirs, global const flo
 #else
     FOR_PACKETS(k) share[k] = unshadowed(hits, light, item, k);
 #endif
-    trace_shadows(hits, hierarchy, light, group_depth, item, share);
+    trace_shadows(hits, hierarchy, light, group_depth, item, share, 0, 0);
     FOR_PACKETS(k) store_f(share[k], arrival, item, k);
 }

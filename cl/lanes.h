@@ -78,6 +78,9 @@ static inline int any_lane(intw mask) { return REDUCE(or, mask); }
 #endif
 #endif
 
+// The position of the lowest bit set.
+static inline int lowest_bit(int mask) { return 31 - clz(mask & -mask); }
+
 // Three components of LANES rays.
 typedef struct {
     floatw x, y, z;
@@ -116,6 +119,10 @@ static inline vec3w load_3(global const float* p, int item, int k) {
 }
 static inline void store_f(floatw v, global float* p, int item, int k) {
     *(global floatw*)(p + lane_address(item, k, 0, 1)) = v;
+}
+static inline void store_2(floatw x, floatw y, global float* p, int item, int k) {
+    *(global floatw*)(p + lane_address(item, k, 0, 2)) = x;
+    *(global floatw*)(p + lane_address(item, k, 1, 2)) = y;
 }
 static inline void store_i(intw v, global int* p, int item, int k) {
     *(global intw*)(p + lane_address(item, k, 0, 1)) = v;

@@ -4,6 +4,7 @@
 #ifndef GNOMON_PARALLEL_PENCIL_H
 #define GNOMON_PARALLEL_PENCIL_H
 
+#include "certify.h"
 #include "cluster.h"
 #include "ieee.h"
 
@@ -42,6 +43,48 @@ static inline intw occludes(PencilSphere s, ShadowRay ray) {
     const intw by_power = (power < 0.0f) | ((ahead > 0.0f) & (fma(ahead, ahead, -power) >= 0.0f));
     return ray.squared < wide(s.r2) ? by_power : by_disc;
 }
+
+#if CERTIFIED
+
+// How far the receivers of a work-item may be off, as this pencil has them.
+typedef struct {
+    float shift;
+} RayDoubt;
+
+// `position` is the most that one is off. Its coordinates in the basis: the basis is turned by up to 2 u, three dot
+// products of 3 u; together with the sphere's, 12 u |c| in doubt_of, 12 u |p|.
+static inline RayDoubt ray_doubt(LightPencil light, float position, float farthest, float2 ways, float base) {
+    return (RayDoubt){fma(12 * ROUNDING, farthest, position) + base};
+}
+
+// Nothing here depends on how far the light is.
+static inline floatw way_of(ShadowRay ray) { return wide(INFINITY); }
+
+// Where a sphere surely occludes the ray, and where it surely does not.
+static inline void judge_occlusion(PencilSphere s, ShadowRay ray, RayDoubt doubt, float base, intw* closes,
+                                   intw* clear) {
+    const float distance = sqrt(MORE(s.power + s.r2, 0.0f)), radius = sqrt(s.r2);
+    const float shift = fma(12 * ROUNDING, distance, doubt.shift) + base;
+    const float edge = fma(fma(radius, 2.0f, 3 * shift), shift, 12 * ROUNDING * s.r2);
+    const floatw ahead = wide(s.center.z) - ray.from.z;
+    const floatw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
+    const floatw discriminant = fma(-x, x, fma(-y, y, wide(s.r2)));
+    // The receiver's power: next to the surface |ahead| <= r, and it is off by as much again.
+    const floatw power = fma(ahead, ahead, -discriminant);
+    *closes = (discriminant > edge) & ((ahead > shift) | (power < -2 * edge));
+    *clear = (discriminant < -edge) | ((ahead < -shift) & (power > 2 * edge));
+}
+
+// Where the surface surely faces the light, or surely does not: n . l is off by the normal's doubt, l's turn and the
+// dot product's 3 u.
+static inline void judge_facing(LightPencil light, vec3w position, vec3w normal, floatw t, floatw off, floatw turned,
+                                float base, intw* faces, intw* averted) {
+    const floatw cosine = dot_f(light.basis.axis, normal), edge = turned + 8 * ROUNDING;
+    *faces = cosine > edge;
+    *averted = cosine < -edge;
+}
+
+#endif
 
 // All shadow rays of a work-item: across the light no wider than this rectangle, and none starts behind `back`.
 typedef struct {
@@ -96,5 +139,13 @@ static inline int shadow_node_candidates(FatShadowRay fat, global const Node* n)
     }
     return kept;
 }
+
+#if CERTIFIED
+// Wide enough for rays that are as far off as `doubt` says.
+static inline FatShadowRay widened(FatShadowRay fat, LightPencil light, int face, RayDoubt doubt) {
+    const float shift = doubt.shift;
+    return (FatShadowRay){fat.x0 - shift, fat.x1 + shift, fat.y0 - shift, fat.y1 + shift, fat.back - shift};
+}
+#endif
 
 #endif

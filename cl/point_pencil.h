@@ -3,6 +3,7 @@
 #ifndef GNOMON_POINT_PENCIL_H
 #define GNOMON_POINT_PENCIL_H
 
+#include "certify.h"
 #include "fat_ray.h"
 #include "sphere.h"
 
@@ -48,6 +49,69 @@ static inline intw occludes(PencilSphere s, ShadowRay ray) {
     return wide(s.power) > 0.0f ? outside : inside;
 }
 
+#if CERTIFIED
+
+// How far the shadow rays of a work-item may be off, as this pencil has them.
+typedef struct {
+    float turn;      // radians
+    float length;    // of the way between light and receiver
+    float farthest;  // the longest of these ways
+    float light;     // of the light itself, from the eye
+} RayDoubt;
+
+static inline float from_eye(LightPencil light) {
+    return sqrt(
+        fma(light.origin.x, light.origin.x, fma(light.origin.y, light.origin.y, light.origin.z * light.origin.z)));
+}
+
+// `position` is the most that one of the receivers is off. The light's place is rounded, 1 u |o|; the way between both
+// rounds once; its length 4 u more, and its direction 5 u.
+static inline RayDoubt ray_doubt(LightPencil light, float position, float farthest, float2 ways, float base) {
+    const float off = fma(2 * ROUNDING, from_eye(light), base),
+                way = fma(4 * ROUNDING, farthest + from_eye(light), position) + off;
+    const float turn = way < 0.5f * ways.x ? fma(2.0f, way / ways.x, 5 * ROUNDING) : INFINITY;
+    return (RayDoubt){turn, way, ways.y, off};
+}
+
+static inline floatw way_of(ShadowRay ray) { return ray.distance; }
+
+static inline void judge_occlusion(PencilSphere s, ShadowRay ray, RayDoubt doubt, float base, intw* closes,
+                                   intw* clear) {
+    const Doubt d = doubt_of(s, doubt.turn, base + doubt.light);
+    const float edge = d.discriminant, farther = fma(2.0f, doubt.length, d.shift), radius = sqrt(s.r2);
+    const int outside = s.power > d.power, inside = s.power < -d.power;
+    const floatw b = dot_f(s.center, ray.dir), beyond = b - ray.distance;
+    const floatw discriminant = sphere_discriminant(s, ray.dir, b);
+    // The receiver's power. beyond^2 - D, and next to the surface |beyond| <= r; for spheres that look large C - d (2 b
+    // - d), which is off by what the receiver is, times the diameter, and by roundings: b's 9 u |f| (root_doubt), twice
+    // d times, and 4 u of the terms.
+    floatw power = fma(beyond, beyond, -discriminant);
+    float power_edge = fma(fma(radius, 2.0f, 3 * farther), farther, 2 * edge);
+    if (!looks_small(s)) {
+        const float away = sqrt(MORE(s.power + s.r2, 0.0f)), d_most = doubt.farthest;
+        power = fma(-ray.distance, b + beyond, wide(s.power));
+        power_edge = fma(2 * radius + 3 * doubt.length, doubt.length, d.power) +
+                     ROUNDING * fma(d_most, fma(26.0f, away, 4 * d_most), 4 * fabs(s.power));
+    }
+    const intw passes = discriminant < -edge, in = power<-power_edge, out = power> power_edge;
+    const intw foot = (discriminant > edge) & (b > d.shift) & (beyond < -farther);
+    const intw none = 0;
+    *closes = outside ? in | foot : inside ? out : none;
+    *clear = outside ? passes | (b < -d.shift) | ((beyond > farther) & out) : inside ? in : passes;
+}
+
+static inline void judge_facing(LightPencil light, vec3w position, vec3w normal, floatw t, floatw off, floatw turned,
+                                float base, intw* faces, intw* averted) {
+    const vec3w way = from_light(light, position);
+    const floatw distance = sqrt(dot_w(way, way)), place = wide(fma(4 * ROUNDING, from_eye(light), base));
+    const floatw edge = fma(distance, turned + 8 * ROUNDING, fma(t, wide(4 * ROUNDING), off) + place);
+    const floatw facing = -dot_w(way, normal);
+    *faces = facing > edge;
+    *averted = facing < -edge;
+}
+
+#endif
+
 // All shadow rays of a work-item leave the light: see fat_ray.h.
 typedef FatRay FatShadowRay;
 
@@ -89,5 +153,21 @@ static inline FatShadowRay fat_shadow_ray(LightPencil light, int face, const Sha
 
 static inline int shadow_candidates(FatShadowRay fat, global const PencilCluster* c) { return candidates(fat, c); }
 static inline int shadow_node_candidates(FatShadowRay fat, global const Node* n) { return node_candidates(fat, n); }
+
+#if CERTIFIED
+// Turning a ray by a small angle moves X by (1 + X^2) of it, and by less than twice that while the angle and X times it
+// are below 1/4.
+static inline float outward(float x, float turn) {
+    return fabs(turn) * MORE(fabs(x), 1.0f) < 0.25f ? fma(2 * turn, fma(x, x, 1.0f), x) : turn * INFINITY;
+}
+
+// Wide enough for rays that are as far off as `doubt` says.
+static inline FatShadowRay widened(FatShadowRay fat, LightPencil light, int face, RayDoubt doubt) {
+    FatRay wider = fat_ray_between(outward(fat.x0, -doubt.turn), outward(fat.x1, doubt.turn),
+                                   outward(fat.y0, -doubt.turn), outward(fat.y1, doubt.turn), light.face[face]);
+    wider.distance = fat.distance + doubt.length;
+    return wider;
+}
+#endif
 
 #endif

@@ -6,7 +6,8 @@
 // / pi (directional) or power / (4 pi^2) (point). Adds to radiance (3 a ray, block order), or sets it for the first
 // light. Albedos are those of ids or, with -D ALBEDOS_OF_RAYS=1, of the rays in their order. With -D RESOLVES=1 the
 // last light's launch resolves the radiance too, as `resolve` would, group by group while it is in the caches; groups
-// then have whole blocks. One work-item: PACKETS * LANES neighbouring rays.
+// then have whole blocks. With -D CERTIFIED=1 hits of which rounding may decide whether they are lit are left undecided
+// in doubts (intersect_closest). One work-item: PACKETS * LANES neighbouring rays.
 #include "resolve.h"
 #include "shadow.h"
 
@@ -76,19 +77,22 @@ kernel void shade_light(global const float* restrict dirs, global const float* r
                         global const float* restrict albedos, const int first_albedo, const int albedo_stride,
                         const LightPencil light, const Float3 phi, const int first, const int items,
                         global float* radiance, const int last_light, const Tile tile, const Planes planes,
-                        global int* plane0, global int* plane1, global int* plane2) {
+                        global int* plane0, global int* plane1, global int* plane2, const float base,
+                        global float* doubts) {
     const int item = (int)get_global_id(0);
     if (item < items) {
         const Hits hits = {dirs, ts, normals, ids};
         floatw share[PACKETS];
 #if SHADOWS == SHADOWS_READ
         FOR_PACKETS(k) share[k] = load_f(arrival, item, k);
+#elif CERTIFIED
+        FOR_PACKETS(k) share[k] = certainly_unshadowed(hits, light, base, doubts, item, k);
 #else
         FOR_PACKETS(k) share[k] = unshadowed(hits, light, item, k);
 #endif
 #if SHADOWS == SHADOWS_TRACED
         const Hierarchy hierarchy = {clusters, nodes, levels, last};
-        trace_shadows(hits, hierarchy, light, group_depth, item, share);
+        trace_shadows(hits, hierarchy, light, group_depth, item, share, base, doubts);
 #endif
         const Albedos all = {albedos + first_albedo, albedo_stride};
         FOR_PACKETS(k) add_light(hits, all, phi, share[k], first, item, k, radiance);

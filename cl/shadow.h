@@ -29,6 +29,38 @@ static inline floatw unshadowed(Hits hits, LightPencil light, int item, int k) {
     return lit ? share : wide(0.0f);
 }
 
+#if CERTIFIED
+
+// The doubts of packet k (intersect_closest): of the position, +inf where it is undecided, and of the normal.
+static inline floatw position_doubt(global const float* doubts, int item, int k) {
+    return *(global const floatw*)(doubts + lane_address(item, k, 0, 2));
+}
+static inline floatw normal_doubt(global const float* doubts, int item, int k) {
+    return *(global const floatw*)(doubts + lane_address(item, k, 1, 2));
+}
+// Leaves the rays of a mask undecided.
+static inline void leave_undecided(intw which, global float* doubts, int item, int k) {
+    if (!any_lane(which)) return;
+    const floatw before = position_doubt(doubts, item, k);
+    *(global floatw*)(doubts + lane_address(item, k, 0, 2)) = which ? wide(INFINITY) : before;
+}
+
+// As `unshadowed`; hits of which rounding may decide whether they face the light are left undecided.
+static inline floatw certainly_unshadowed(Hits hits, LightPencil light, float base, global float* doubts, int item,
+                                          int k) {
+    const intw hit = load_i(hits.ids, item, k) >= 0;
+    if (!any_lane(hit)) return wide(0.0f);
+    const floatw t = load_f(hits.ts, item, k), off = position_doubt(doubts, item, k);
+    const vec3w position = scale_w(t, load_3(hits.dirs, item, k)), normal = load_3(hits.normals, item, k);
+    intw faces, averted;
+    judge_facing(light, position, normal, t, off, normal_doubt(doubts, item, k), base, &faces, &averted);
+    leave_undecided(hit & !(faces | averted), doubts, item, k);
+    const floatw share = arriving(light, position, normal);
+    return hit & faces & (share > 0.0f) ? share : wide(0.0f);
+}
+
+#endif
+
 static inline int any_open(const intw* open) {
     intw any = 0;
     FOR_PACKETS(k) any |= open[k];
@@ -46,6 +78,54 @@ static inline int occlude(PencilSphere s, const ShadowRay* ray, const intw* id, 
     }
     return any_lane(changed);
 }
+
+#if CERTIFIED
+// As `occlude`, where that is certain; where it is not, `unsure` says so and the hit stays open.
+static inline int certainly_occlude(PencilSphere s, const ShadowRay* ray, RayDoubt doubt, float base, const intw* id,
+                                    intw* open, intw* unsure, floatw* share) {
+    intw changed = 0;
+    FOR_PACKETS(k) {
+        intw closes, clear;
+        judge_occlusion(s, ray[k], doubt, base, &closes, &clear);
+        const intw other = open[k] & (id[k] != s.id);
+        unsure[k] |= other & !(closes | clear);
+        closes &= other;
+        share[k] = closes ? wide(0.0f) : share[k];
+        open[k] &= !closes;
+        changed |= closes;
+    }
+    return any_lane(changed);
+}
+
+// The rays' common doubt.
+static inline RayDoubt common_doubt(LightPencil light, const ShadowRay* ray, const floatw* t, const floatw* off,
+                                    const intw* open, float base) {
+    floatw most_off = wide(0.0f), farthest = wide(0.0f), shortest = wide(INFINITY), longest = wide(0.0f);
+    FOR_PACKETS(k) {
+        most_off = MORE(open[k] ? off[k] : wide(0.0f), most_off);
+        farthest = MORE(open[k] ? t[k] : wide(0.0f), farthest);
+        shortest = LESS(open[k] ? way_of(ray[k]) : wide(INFINITY), shortest);
+        longest = MORE(open[k] ? way_of(ray[k]) : wide(0.0f), longest);
+    }
+    return ray_doubt(light, REDUCE(most, most_off), REDUCE(most, farthest),
+                     (float2)(REDUCE(least, shortest), REDUCE(most, longest)), base);
+}
+
+static inline void trace_certain_group(Hierarchy hierarchy, LightPencil light, const ShadowRay* ray, const floatw* t,
+                                       const floatw* off, float base, const intw* id, intw* open, intw* unsure,
+                                       floatw* share) {
+    const int face = face_of(light, ray, open);
+    const RayDoubt doubt = common_doubt(light, ray, t, off, open, base);
+    const FatShadowRay fat = widened(fat_shadow_ray(light, face, ray, open), light, face, doubt);
+    hierarchy.nodes += face * (hierarchy.last + 1);  // each face has its own
+    Traversal traversal = begin(hierarchy, fat);
+    for (int c; (c = next_cluster(hierarchy, &traversal, fat)) >= 0;)
+        for (int rest = shadow_candidates(fat, hierarchy.clusters + c); rest; rest &= rest - 1) {
+            const PencilSphere s = sphere_of(hierarchy.clusters + c, lowest_bit(rest));
+            if (certainly_occlude(s, ray, doubt, base, id, open, unsure, share) && !any_open(open)) return;
+        }
+}
+#endif
 
 // Traces the open rays as one fat ray.
 static inline void trace_group(Hierarchy hierarchy, LightPencil light, const ShadowRay* ray, const intw* id, intw* open,
@@ -74,26 +154,43 @@ static inline void take_group(const floatw* t, float group_depth, intw* left, in
 }
 
 // share[k]: what would arrive at the hits of packet k; where something is in between it becomes 0. Where there are
-// levels, hits are traced together whose distances from the eye differ by less than the factor group_depth (> 1).
+// levels, hits are traced together whose distances from the eye differ by less than the factor group_depth (> 1). With
+// -D CERTIFIED=1 hits whose shadow rounding may decide are left undecided in `doubts`, as those are that were so
+// before.
 static inline void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil light, float group_depth, int item,
-                                 floatw* share) {
+                                 floatw* share, float base, global float* doubts) {
     ShadowRay ray[PACKETS];
     floatw t[PACKETS];
     intw id[PACKETS], left[PACKETS], group[PACKETS];
+#if CERTIFIED
+    floatw off[PACKETS];
+    intw unsure[PACKETS];
+#endif
     FOR_PACKETS(k) {
         left[k] = share[k] > 0.0f;
         id[k] = load_i(hits.ids, item, k);
         t[k] = load_f(hits.ts, item, k);
         ray[k] = shadow_ray(light, scale_w(t[k], load_3(hits.dirs, item, k)));
+#if CERTIFIED
+        off[k] = position_doubt(doubts, item, k);
+        left[k] &= off[k] < INFINITY;
+        unsure[k] = 0;
+#endif
     }
 #if WALK != WALK_NODES
-    if (any_open(left)) trace_group(hierarchy, light, ray, id, left, share);
+    FOR_PACKETS(k) group[k] = left[k];
+    if (any_open(group)) {
 #else
     while (any_open(left)) {
         take_group(t, group_depth, left, group);
-        trace_group(hierarchy, light, ray, id, group, share);
-    }
 #endif
+#if CERTIFIED
+        trace_certain_group(hierarchy, light, ray, t, off, base, id, group, unsure, share);
+        FOR_PACKETS(k) leave_undecided(unsure[k] & group[k], doubts, item, k);
+#else
+        trace_group(hierarchy, light, ray, id, group, share);
+#endif
+    }
 }
 
 #endif

@@ -28,7 +28,7 @@ class Binder {
   public:
     /// The film's planes become buffers where the plan writes them in place.
     Binder(const cl::Context& context, const Plan& plan, const SceneBuffers& scene, Film& film,
-           const cl::Buffer& hit_counts);
+           const cl::Buffer& hit_counts, const cl::Buffer& undecided);
 
     /// Sets all arguments of the kernel that the step launches.
     void bind(cl::Kernel& kernel, const TileLaunch& launch) const;
@@ -46,7 +46,7 @@ class Binder {
     const Plan& plan_;
     const SceneBuffers& scene_;
     const Film& film_;
-    cl::Buffer hit_counts_;
+    cl::Buffer hit_counts_, undecided_;
     std::vector<cl::Buffer> planes_[4];
 };
 

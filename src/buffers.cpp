@@ -42,6 +42,7 @@ TileBuffers allocate_tile(const DeviceMemory& memory, const Plan& plan) {
     // Kernel arguments that a scene does not use still have to name a buffer.
     tile.arrival = values(plan.uses(Kernel::intersect_shadow) ? rays : 1);
     tile.radiance = values(plan.uses(Kernel::shade_light) ? 3 * rays : 1);
+    tile.doubts = values(plan.certified ? 2 * rays : 1);
     tile.albedos = values(plan.albedos_of_rays ? 3 * rays : 1);
     if (!plan.write_in_place)
         for (cl::Buffer& plane : tile.planes) plane = values(rays);
@@ -62,6 +63,7 @@ SceneBuffers prepare(SphereKernels& kernels, const Scene& scene, const Survey& s
     SceneBuffers buffers;
     buffers.eye = eye_pencil(scene.camera, scene.image);
     buffers.eye_basis = eye_basis(scene.camera);
+    buffers.base_doubt = base_doubt(scene, survey, frame);
     if (spheres) buffers.spheres = kernels.project(*spheres, view_of_eye(scene.camera, frame));
     if (!plan.uses(Kernel::shade_light)) return buffers;
     const PrepareLight prepared{kernels, scene, survey, frame, spheres, plan.shadows != Shadows::off};
@@ -72,9 +74,9 @@ SceneBuffers prepare(SphereKernels& kernels, const Scene& scene, const Survey& s
 std::vector<TileBuffers>& TilePool::get(const DeviceMemory& memory, const Plan& plan) {
     const size_t count = std::min<size_t>(plan.memory.by_view ? 1 : tile_sets, plan.tiles.size()),
                  rays = static_cast<size_t>(plan.tile_blocks);
-    const std::array<size_t, 5> shape{count, rays,
+    const std::array<size_t, 6> shape{count, rays,
                                       plan.uses(Kernel::intersect_shadow) + size_t{2} * plan.uses(Kernel::shade_light),
-                                      size_t{plan.write_in_place}, size_t{plan.albedos_of_rays}};
+                                      size_t{plan.write_in_place}, size_t{plan.albedos_of_rays}, size_t{plan.certified}};
     if (shape == shape_) return tiles_;
     shape_ = {};  // of no plan, in case an allocation throws
     tiles_.clear();

@@ -1,5 +1,6 @@
 #include "pencil.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "rounding.h"
@@ -91,6 +92,15 @@ Float3 lambert_factor(const PointLight& light, double unit) {
     const Rgb& p = light.power;
     // Divided twice: the square of an extreme unit may be out of range where the scaled power is not.
     return rounded(Vec3{p.r, p.g, p.b} * (1 / unit) * (1 / unit) * (1 / (4 * pi * pi)));
+}
+
+float base_doubt(const Scene& scene, const Survey& survey, const Frame& frame) {
+    const auto size = [&](const Vec3& p) { return length(frame.place(p)); };
+    double largest = std::max({size(survey.low), size(survey.high), size(scene.camera.eye)}) +
+                     2 * length((survey.high - survey.low) * (1 / frame.unit)) + survey.largest_radius / frame.unit;
+    for (const Light& light : scene.lights)
+        if (const auto* point = std::get_if<PointLight>(&light)) largest = std::max(largest, size(point->position));
+    return static_cast<float>(std::ldexp(largest, -46));
 }
 
 }  // namespace gnomon

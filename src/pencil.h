@@ -27,4 +27,8 @@ Apex point_apex(const PointPencil& pencil, const Camera& camera, const Frame& fr
 Float3 lambert_factor(const DirectionalLight& light, double unit);
 Float3 lambert_factor(const PointLight& light, double unit);
 
+/// How far a number may be off that kernels have of the scene, in the frame's unit: 2^-46 of the largest coordinate. Two
+/// floats hold 2^-48 of a number, and what is said relative to an apex is of two such numbers.
+float base_doubt(const Scene& scene, const Survey& survey, const Frame& frame);
+
 }  // namespace gnomon

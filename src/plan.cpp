@@ -84,6 +84,7 @@ class Chain {
         }
         if (step.kernel == Kernel::intersect_closest)
             defines.push_back(plan_.generate_rays ? "RAYS=RAYS_READ" : "RAYS=RAYS_GENERATED");
+        defines.push_back(plan_.certified ? "CERTIFIED=1" : "CERTIFIED=0");
         add_lanes(step, defines);
     }
     void resolve(Output output) {
@@ -166,12 +167,14 @@ void add_steps(Plan& plan, const Scene& scene, const RenderOptions& options) {
     if (wanted.distance) chain.resolve(Output::distance);
     if (wanted.normal) chain.resolve(Output::normal);
     if (wanted.id) chain.resolve(Output::id);
-    if (!shaded) return;
-    add_lights(chain, scene, plan.shadows);
-    if (plan.resolve_radiance)
-        chain.resolve(Output::radiance);
-    else
-        plan.steps.back().resolves = true;
+    if (shaded) {
+        add_lights(chain, scene, plan.shadows);
+        if (plan.resolve_radiance)
+            chain.resolve(Output::radiance);
+        else
+            plan.steps.back().resolves = true;
+    }
+    if (plan.certified) chain.add_lanes({Kernel::list_undecided, 0}, {});
 }
 
 /// A block of receivers is traced as one while its depth is no more than a few times its width, 4 times the 8 pixels:
@@ -209,9 +212,11 @@ MemoryPlan share_memory(const Plan& plan, const Scene& scene, const Survey& surv
     needs.tiles_under_way = std::min<int64_t>(tile_sets, static_cast<int64_t>(plan.tiles.size()));
     needs.asked_tile_rays = options.tile;
     needs.film_bytes_per_ray = plan.write_in_place ? 0 : 3 * 4;
+    if (options.accuracy == Accuracy::certified) needs.film_bytes_per_ray += 2 * 4;  // the doubts
     // The counts of hits, one a work-group and 4 bytes, and a value for each buffer that a scene does not use.
     constexpr int64_t unused = 1024;
     needs.other_bytes =
+        (options.accuracy == Accuracy::certified ? 4 * (1 + needs.image_rays) : 0) +
         4 * (needs.image_rays / (plan.rays_per_item() * plan.local_size) + static_cast<int64_t>(plan.tiles.size())) +
         unused;
     const uint64_t allowed = options.memory > 0 ? std::min(limits.global_bytes, options.memory) : limits.global_bytes;
@@ -233,7 +238,7 @@ const char* to_string(Kernel kernel) {
     static constexpr const char* names[] = {
         "sphere_keys",       "count_digits",     "scan_counts",    "scatter_pairs", "find_duplicates",
         "gather_spheres",    "project_spheres",  "bound_clusters", "bound_nodes",   "generate_rays",
-        "intersect_closest", "intersect_shadow", "shade_light",    "resolve"};
+        "intersect_closest", "intersect_shadow", "shade_light",    "resolve", "list_undecided"};
     return names[static_cast<int>(kernel)];
 }
 
@@ -301,9 +306,13 @@ Plan make_plan(const Scene& scene, const Survey& survey, const RenderOptions& op
     if (survey.count > 0) plan.memory = share_memory(plan, scene, survey, options, limits);
     if (plan.memory.by_view) plan.tiles = cut(scene.image, static_cast<int>(plan.memory.tile_rays));
     plan.albedos_of_rays = plan.memory.cut && !survey.one_albedo;
+    plan.certified = options.accuracy == Accuracy::certified;
+    if (plan.certified && plan.memory.cut)
+        throw Error(Blame::input, "a certified picture needs all spheres on the device at once", "--accuracy certified",
+                    "allow more --memory, or render with --accuracy strict");
     // A launch costs a CPU more than it does a GPU, and what is read again costs more than what is still at hand.
     const bool few_launches = limits.cpu && !plan.memory.cut;
-    if (options.shadows) plan.shadows = few_launches ? Shadows::traced : Shadows::read;
+    if (options.shadows) plan.shadows = few_launches || plan.certified ? Shadows::traced : Shadows::read;
     plan.generate_rays = !few_launches;
     plan.resolve_radiance =
         !few_launches || !plan.write_in_place || plan.rays_per_item() * plan.local_size % BLOCK_RAYS != 0;

@@ -38,7 +38,8 @@ enum class Kernel {
     intersect_closest,
     intersect_shadow,
     shade_light,
-    resolve  // once a tile
+    resolve,
+    list_undecided  // once a tile
 };
 const char* to_string(Kernel kernel);
 
@@ -90,6 +91,7 @@ struct Plan {
     int64_t spheres = 0;
     bool has_rests = false;  ///< their numbers are not all floats
     MemoryPlan memory;
+    bool certified = false;        ///< the pixels that rounding may have decided are listed
     bool albedos_of_rays = false;  ///< looked up by the host when all hits are known, since no chunk has all
 
     int rays_per_item() const { return lanes * packets; }

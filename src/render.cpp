@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "certify.h"
 #include "clock.h"
 #include "error.h"
 #include "program.h"
@@ -174,11 +175,14 @@ struct Renderer::State {
         const double asked_at = now();
         Scheduler scheduler(context, queue, memory, job.plan, buffers, tiles.get(memory, job.plan), kernels, film);
         if (chunks) scheduler.take_spheres_from(*chunks);
-        measured(job.plan, scheduler.run(ready, job.options.progress), stats);
+        const Measured run = scheduler.run(ready, job.options.progress);
+        measured(job.plan, run, stats);
         const double prepared_at = asked_at + (ready.empty() ? 0 : seconds_since_asked(ready.front()));
         add(job.plan, launcher.take_launched(), stats);
         stats.chunks = chunks ? chunks->chunks() : 1;
         stats.prepare_seconds += prepared_at - start;
+        decide_again(job.scene, job.options.shadows, run.undecided, 1 / job.frame.unit, film);
+        stats.undecided = static_cast<int64_t>(run.undecided.size());
         stats.trace_seconds = now() - prepared_at;
     }
 

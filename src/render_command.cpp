@@ -100,6 +100,9 @@ RenderCommand::RenderCommand(CLI::App& app) {
     command_->add_option("--view", view_, "what a display image shows: radiance, distance, normal or id")
         ->check(CLI::IsMember({"radiance", "distance", "normal", "id"}));
     command_->add_flag("--no-shadows", no_shadows_, "let every light through");
+    command_->add_option("--accuracy", options_.accuracy, "how decisions are made sure of: strict or certified")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, Accuracy>{{"strict", Accuracy::strict}, {"certified", Accuracy::certified}}));
     command_->add_option("--lanes", options_.lanes, "rays a vector: 1, 4, 8 or 16 (default: what the device likes)");
     command_->add_option("--tile", options_.tile, "rays a tile (default: what the device likes)");
     command_
@@ -156,6 +159,8 @@ int RenderCommand::run() {
     stats.check_seconds = timed([&] { stats.check = check(scene, film, options_.shadows); });
     if (!stats_path_.empty()) write_text(stats_path_, to_json(stats, scene, device).dump(2) + "\n");
     say(summary(stats, device, scene.image));
+    if (options_.accuracy == Accuracy::certified)
+        say(fmt::format("certified: {} pixels undecided", stats.render.undecided));
     return 0;
 }
 

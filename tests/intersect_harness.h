@@ -35,7 +35,7 @@ inline Hits closest(Bench& bench, Width w, const Camera& camera, const PencilSph
             .kernel,
         items, dirs.buffer(), EyePencil{}, Tile{}, eye_basis(camera), in.clusters.buffer(), in.nodes.buffer(),
         spheres.levels, spheres.last, 1, items, ts.buffer(), normals.buffer(), ids.buffer(), first_group,
-        counts.buffer());
+        counts.buffer(), 0.0f, ts.buffer());
     Hits hits{ts.read(), normals.read(), ids.read(), counts.read()};
     dirs.check_unchanged();
     in.check_unchanged();
@@ -72,7 +72,7 @@ inline Hits closest_of_pixels(Bench& bench, Width w, const Scene& scene, const T
                           w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_GENERATED"})};
     bench.launch(bench.programs.get(variant).kernel, items, dirs.buffer(), eye_pencil(scene.camera, scene.image), tile,
                  eye_basis(scene.camera), in.clusters.buffer(), in.nodes.buffer(), spheres.levels, spheres.last, 1,
-                 items, ts.buffer(), normals.buffer(), ids.buffer(), 0, counts.buffer());
+                 items, ts.buffer(), normals.buffer(), ids.buffer(), 0, counts.buffer(), 0.0f, ts.buffer());
     in.check_unchanged();
     if (dirs_out) *dirs_out = dirs.read();
     return {ts.read(), normals.read(), ids.read(), counts.read()};
