@@ -141,14 +141,14 @@ static inline void trace_group(Hierarchy hierarchy, LightPencil light, const Sha
         }
 }
 
-// Takes from `left` the hits that are not much farther from the eye than the nearest of them: neighbours, in a block,
-// whose shadow rays stay together.
-static inline void take_group(const floatw* t, float group_depth, intw* left, intw* group) {
-    floatw nearest = wide(INFINITY);
-    FOR_PACKETS(k) nearest = LESS(left[k] ? t[k] : nearest, nearest);
-    const floatw limit = wide(REDUCE(least, nearest) * group_depth);
+// Takes from `left` the hits of which a value is at most `ratio` times that of the least of them. By their distances
+// from the eye: neighbours, in a block, whose shadow rays stay together. By their doubts: hits that one doubt serves.
+static inline void take_group(const floatw* value, float ratio, intw* left, intw* group) {
+    floatw lowest = wide(INFINITY);
+    FOR_PACKETS(k) lowest = LESS(left[k] ? value[k] : lowest, lowest);
+    const floatw limit = wide(REDUCE(least, lowest) * ratio);
     FOR_PACKETS(k) {
-        group[k] = left[k] & (t[k] <= limit);
+        group[k] = left[k] & (value[k] <= limit);
         left[k] &= !group[k];
     }
 }
@@ -177,12 +177,16 @@ static inline void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil lig
         unsure[k] = 0;
 #endif
     }
-#if WALK != WALK_NODES
+#if WALK != WALK_NODES && !CERTIFIED
     FOR_PACKETS(k) group[k] = left[k];
     if (any_open(group)) {
 #else
     while (any_open(left)) {
+#if WALK == WALK_NODES
         take_group(t, group_depth, left, group);
+#else
+        take_group(off, 8.0f, left, group);
+#endif
 #endif
 #if CERTIFIED
         trace_certain_group(hierarchy, light, ray, t, off, base, id, group, unsure, share);
