@@ -16,18 +16,18 @@
 
 // The closest hit so far.
 typedef struct {
-    floatw t;
-    intw id;
+    realw t;
+    wholew id;
     vec3w center;
 } Hit;
 
-static inline Hit no_hit(void) { return (Hit){wide(INFINITY), (intw)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}}; }
+static inline Hit no_hit(void) { return (Hit){wide(INFINITY), (wholew)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}}; }
 
-static inline void store_misses(global float* ts, global float* normals, global int* ids, int item) {
+static inline void store_misses(global real* ts, global real* normals, global int* ids, int item) {
     FOR_PACKETS(k) {
-        store_f(wide(INFINITY), ts, item, k);
-        store_3(broadcast((Float3){INFINITY, INFINITY, INFINITY}), normals, item, k);
-        store_i((intw)(-1), ids, item, k);
+        store_r(wide(INFINITY), ts, item, k);
+        store_3(broadcast((Real3){INFINITY, INFINITY, INFINITY}), normals, item, k);
+        store_i((wholew)(-1), ids, item, k);
     }
 }
 
@@ -44,52 +44,52 @@ static inline int next_candidates(Hierarchy hierarchy, Traversal* traversal, Fat
 // 0 when no ray can have a closer hit now than before. Without a branch for each packet, which would be guessed wrong
 // half of the time.
 static inline int intersect(PencilSphere s, const vec3w* dir, Hit* hit) {
-    floatw b[PACKETS], discriminant[PACKETS];
-    intw meets[PACKETS], any = 0;
+    realw b[PACKETS], discriminant[PACKETS];
+    wholew meets[PACKETS], any = 0;
     FOR_PACKETS(k) {
-        b[k] = dot_f(s.center, dir[k]);
+        b[k] = dot_r(s.center, dir[k]);
         discriminant[k] = sphere_discriminant(s, dir[k], b[k]);
         meets[k] = sphere_meets(s, b[k], discriminant[k]);
         any |= meets[k];
     }
     if (!any_lane(any)) return 0;
     FOR_PACKETS(k) {
-        const floatw t = sphere_root(s, b[k], discriminant[k]);
+        const realw t = sphere_root(s, b[k], discriminant[k]);
         // Of equal distances the lowest id's.
-        const intw closer = meets[k] & (t > 0.0f) & ((t < hit[k].t) | ((t == hit[k].t) & (hit[k].id > s.id)));
+        const wholew closer = meets[k] & (t > 0.0f) & ((t < hit[k].t) | ((t == hit[k].t) & (hit[k].id > s.id)));
         hit[k].t = closer ? t : hit[k].t;
-        hit[k].id = closer ? (intw)(s.id) : hit[k].id;
+        hit[k].id = closer ? (wholew)(s.id) : hit[k].id;
         hit[k].center = select_w(closer, broadcast(s.center), hit[k].center);
     }
     return 1;
 }
 
 // Where the farthest of the closest hits is; rays that are none do not count.
-static inline float farthest_hit(const Hit* hit, const intw* valid) {
-    floatw farthest = wide(0.0f);
-    FOR_PACKETS(k) farthest = MORE(valid[k] ? hit[k].t : wide(0.0f), farthest);
+static inline float farthest_hit(const Hit* hit, const wholew* valid) {
+    floatw farthest = wide_float(0.0f);
+    FOR_PACKETS(k) farthest = MORE(floats_of(valid[k] ? hit[k].t : wide(0.0f)), farthest);
     return REDUCE(most, farthest);
 }
 
 static inline vec3w outward_normal(Hit hit, vec3w dir) {
-    const vec3w infinite = broadcast((Float3){INFINITY, INFINITY, INFINITY});
-    const intw hits = hit.id >= 0;
+    const vec3w infinite = broadcast((Real3){INFINITY, INFINITY, INFINITY});
+    const wholew hits = hit.id >= 0;
     if (!any_lane(hits)) return infinite;
     const vec3w out = fma_w(hit.t, dir, (vec3w){-hit.center.x, -hit.center.y, -hit.center.z});
     return select_w(hits, scale_w(divide(wide(1.0f), square_root(dot_w(out, out))), out), infinite);
 }
 
-kernel void intersect_closest(global float* restrict dirs, const EyePencil eye, const Tile tile, const Basis basis,
+kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, const Tile tile, const Basis basis,
                               global const PencilCluster* restrict clusters, global const Node* restrict nodes,
                               const int levels, const int last, const int first_chunk, const int items,
-                              global float* restrict ts, global float* restrict normals, global int* restrict ids,
+                              global real* restrict ts, global real* restrict normals, global int* restrict ids,
                               const int first_group, global int* restrict hit_counts) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
     const Hierarchy hierarchy = {clusters, nodes, levels, last};
     vec3w dir[PACKETS];
     Hit hit[PACKETS];
-    intw valid[PACKETS];
+    wholew valid[PACKETS];
 #if RAYS == RAYS_GENERATED
     // Most work-items that meet nothing are known before their rays are.
     FatRay fat = eye_fat_ray(eye, tile, item, basis);
@@ -112,7 +112,7 @@ kernel void intersect_closest(global float* restrict dirs, const EyePencil eye, 
     }
 #if CHUNKS
     if (!first_chunk) FOR_PACKETS(k) {
-            hit[k].t = load_f(ts, item, k);
+            hit[k].t = load_r(ts, item, k);
             hit[k].id = load_i(ids, item, k);
         }
 #endif
@@ -133,20 +133,20 @@ kernel void intersect_closest(global float* restrict dirs, const EyePencil eye, 
         fat.distance = traversal.farthest;
 #endif
     }
-    intw hits = 0;
+    wholew hits = 0;
     FOR_PACKETS(k) {
-        store_f(hit[k].t, ts, item, k);
+        store_r(hit[k].t, ts, item, k);
         vec3w normal = outward_normal(hit[k], dir[k]);
-        hits += hit[k].id >= 0 ? (intw)(1) : (intw)(0);
+        hits += hit[k].id >= 0 ? (wholew)(1) : (wholew)(0);
 #if CHUNKS
         if (!first_chunk) {
-            const intw before = load_i(ids, item, k);  // hits that stayed as they were have no centre here
+            const wholew before = load_i(ids, item, k);  // hits that stayed as they were have no centre here
             normal = select_w(hit[k].id != before, normal, load_3(normals, item, k));
-            hits -= before >= 0 ? (intw)(1) : (intw)(0);
+            hits -= before >= 0 ? (wholew)(1) : (wholew)(0);
         }
 #endif
         store_3(normal, normals, item, k);
         store_i(hit[k].id, ids, item, k);
     }
-    atomic_add(hit_counts + first_group + get_group_id(0), REDUCE(count, hits));
+    atomic_add(hit_counts + first_group + get_group_id(0), REDUCE(count, ints_of(hits)));
 }

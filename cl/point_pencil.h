@@ -10,8 +10,8 @@ typedef PointPencil LightPencil;
 
 // What a receiver's shadow ray shares among all spheres.
 typedef struct {
-    vec3w dir;        // unit, from the light to the receiver
-    floatw distance;  // between the two
+    vec3w dir;       // unit, from the light to the receiver
+    realw distance;  // between the two
 } ShadowRay;
 
 static inline vec3w from_light(LightPencil light, vec3w position) {
@@ -21,30 +21,30 @@ static inline vec3w from_light(LightPencil light, vec3w position) {
 // A receiver at the light itself gets NaN, which meets nothing.
 static inline ShadowRay shadow_ray(LightPencil light, vec3w position) {
     const vec3w way = from_light(light, position);
-    const floatw distance = square_root(dot_w(way, way));
+    const realw distance = square_root(dot_w(way, way));
     return (ShadowRay){scale_w(divide(wide(1.0f), distance), way), distance};
 }
 
 // n . l / d^2 = (d n . l) / d^3, the share of the light's power that arrives, but for a factor: > 0 where the surface
 // faces the light, and NaN, which is not > 0, at the light.
-static inline floatw arriving(LightPencil light, vec3w position, vec3w normal) {
+static inline realw arriving(LightPencil light, vec3w position, vec3w normal) {
     const vec3w way = from_light(light, position);
-    const floatw squared = dot_w(way, way);
+    const realw squared = dot_w(way, way);
     return divide(-dot_w(way, normal), squared * square_root(squared));
 }
 
 // From outside (C > 0), with the centre ahead: the segment meets the sphere when its line does and the near root lies
 // before the receiver, because the foot of the centre does or because the receiver is in the ball. From inside the ball
 // (C <= 0) it does when the receiver is out of it; from a light on the surface only if the way starts inward.
-static inline intw occludes(PencilSphere s, ShadowRay ray) {
-    const floatw b = dot_f(s.center, ray.dir), beyond = b - ray.distance;
-    const floatw discriminant = sphere_discriminant(s, ray.dir, b);
+static inline wholew occludes(PencilSphere s, ShadowRay ray) {
+    const realw b = dot_r(s.center, ray.dir), beyond = b - ray.distance;
+    const realw discriminant = sphere_discriminant(s, ray.dir, b);
     if (looks_small(s))
         return (discriminant >= 0.0f) & (b > 0.0f) & ((beyond < 0.0f) | (beyond * beyond < discriminant));
     // The receiver's power |d dir - f|^2 - r^2 = C - d (2 b - d).
-    const floatw power = fma(-ray.distance, b + beyond, wide(s.power));
-    const intw outside = (b > 0.0f) & ((power < 0.0f) | ((beyond < 0.0f) & (discriminant >= 0.0f)));
-    const intw inside = (power > 0.0f) & ((b > 0.0f) | (wide(s.power) < 0.0f));
+    const realw power = fma(-ray.distance, b + beyond, wide(s.power));
+    const wholew outside = (b > 0.0f) & ((power < 0.0f) | ((beyond < 0.0f) & (discriminant >= 0.0f)));
+    const wholew inside = (power > 0.0f) & ((b > 0.0f) | (wide(s.power) < 0.0f));
     return wide(s.power) > 0.0f ? outside : inside;
 }
 
@@ -52,16 +52,18 @@ static inline intw occludes(PencilSphere s, ShadowRay ray) {
 typedef FatRay FatShadowRay;
 
 // The face of the light that most of the rays leave through.
-static inline int face_of(LightPencil light, const ShadowRay* ray, const intw* open) {
+static inline int face_of(LightPencil light, const ShadowRay* ray, const wholew* open) {
 #if WALK == WALK_SPHERES
     return 0;  // nobody looks at it
 #endif
     if (light.faces == 1) return 0;
-    vec3w sum = {wide(0.0f), wide(0.0f), wide(0.0f)};
+    float3w sum = {wide_float(0.0f), wide_float(0.0f), wide_float(0.0f)};
     FOR_PACKETS(k) {
-        sum.x += open[k] ? ray[k].dir.x : wide(0.0f);
-        sum.y += open[k] ? ray[k].dir.y : wide(0.0f);
-        sum.z += open[k] ? ray[k].dir.z : wide(0.0f);
+        const float3w dir = floats_of_3(ray[k].dir);
+        const intw counts = ints_of(open[k]);
+        sum.x += counts ? dir.x : wide_float(0.0f);
+        sum.y += counts ? dir.y : wide_float(0.0f);
+        sum.z += counts ? dir.z : wide_float(0.0f);
     }
     const float x = REDUCE(sum, sum.x), y = REDUCE(sum, sum.y), z = REDUCE(sum, sum.z);
     int best = 0;
@@ -75,12 +77,12 @@ static inline int face_of(LightPencil light, const ShadowRay* ray, const intw* o
     return best;
 }
 
-static inline FatShadowRay fat_shadow_ray(LightPencil light, int face, const ShadowRay* ray, const intw* open) {
+static inline FatShadowRay fat_shadow_ray(LightPencil light, int face, const ShadowRay* ray, const wholew* open) {
     vec3w dir[PACKETS];
-    floatw farthest = wide(0.0f);
+    floatw farthest = wide_float(0.0f);
     FOR_PACKETS(k) {
         dir[k] = ray[k].dir;
-        farthest = MORE(open[k] ? ray[k].distance : farthest, farthest);
+        farthest = MORE(ints_of(open[k]) ? floats_of(ray[k].distance) : farthest, farthest);
     }
     FatRay fat = fat_ray(dir, open, light.face[face]);
     fat.distance = REDUCE(most, farthest);

@@ -15,31 +15,31 @@
 
 // What intersect_closest wrote, with the rays that it read.
 typedef struct {
-    global const float *dirs, *ts, *normals;
+    global const real *dirs, *ts, *normals;
     global const int* ids;
 } Hits;
 
 // What arrives (arriving(), > 0) at the hits of packet k if nothing is in between, else 0.
-static inline floatw unshadowed(Hits hits, LightPencil light, int item, int k) {
-    const intw hit = load_i(hits.ids, item, k) >= 0;
+static inline realw unshadowed(Hits hits, LightPencil light, int item, int k) {
+    const wholew hit = load_i(hits.ids, item, k) >= 0;
     if (!any_lane(hit)) return wide(0.0f);
-    const vec3w position = scale_w(load_f(hits.ts, item, k), load_3(hits.dirs, item, k));
-    const floatw share = arriving(light, position, load_3(hits.normals, item, k));
-    const intw lit = hit & (share > 0.0f);
+    const vec3w position = scale_w(load_r(hits.ts, item, k), load_3(hits.dirs, item, k));
+    const realw share = arriving(light, position, load_3(hits.normals, item, k));
+    const wholew lit = hit & (share > 0.0f);
     return lit ? share : wide(0.0f);
 }
 
-static inline int any_open(const intw* open) {
-    intw any = 0;
+static inline int any_open(const wholew* open) {
+    wholew any = 0;
     FOR_PACKETS(k) any |= open[k];
     return any_lane(any);
 }
 
 // Takes from the open hits that the sphere occludes what they had; the result is not 0 when there were any.
-static inline int occlude(PencilSphere s, const ShadowRay* ray, const intw* id, intw* open, floatw* share) {
-    intw changed = 0;
+static inline int occlude(PencilSphere s, const ShadowRay* ray, const wholew* id, wholew* open, realw* share) {
+    wholew changed = 0;
     FOR_PACKETS(k) {
-        const intw closes = open[k] & occludes(s, ray[k]) & (id[k] != s.id);
+        const wholew closes = open[k] & occludes(s, ray[k]) & (id[k] != s.id);
         share[k] = closes ? wide(0.0f) : share[k];
         open[k] &= !closes;
         changed |= closes;
@@ -48,8 +48,8 @@ static inline int occlude(PencilSphere s, const ShadowRay* ray, const intw* id, 
 }
 
 // Traces the open rays as one fat ray.
-static inline void trace_group(Hierarchy hierarchy, LightPencil light, const ShadowRay* ray, const intw* id, intw* open,
-                               floatw* share) {
+static inline void trace_group(Hierarchy hierarchy, LightPencil light, const ShadowRay* ray, const wholew* id,
+                               wholew* open, realw* share) {
     const int face = face_of(light, ray, open);
     const FatShadowRay fat = fat_shadow_ray(light, face, ray, open);
     hierarchy.nodes += face * (hierarchy.last + 1);  // each face has its own
@@ -63,12 +63,12 @@ static inline void trace_group(Hierarchy hierarchy, LightPencil light, const Sha
 
 // Takes from `left` the hits that are not much farther from the eye than the nearest of them: neighbours, in a block,
 // whose shadow rays stay together.
-static inline void take_group(const floatw* t, float group_depth, intw* left, intw* group) {
-    floatw nearest = wide(INFINITY);
-    FOR_PACKETS(k) nearest = LESS(left[k] ? t[k] : nearest, nearest);
-    const floatw limit = wide(REDUCE(least, nearest) * group_depth);
+static inline void take_group(const floatw* t, float group_depth, wholew* left, wholew* group) {
+    floatw nearest = wide_float(INFINITY);
+    FOR_PACKETS(k) nearest = LESS(ints_of(left[k]) ? t[k] : nearest, nearest);
+    const floatw limit = wide_float(REDUCE(least, nearest) * group_depth);
     FOR_PACKETS(k) {
-        group[k] = left[k] & (t[k] <= limit);
+        group[k] = left[k] & wholes_of(t[k] <= limit);
         left[k] &= !group[k];
     }
 }
@@ -76,15 +76,16 @@ static inline void take_group(const floatw* t, float group_depth, intw* left, in
 // share[k]: what would arrive at the hits of packet k; where something is in between it becomes 0. Where there are
 // levels, hits are traced together whose distances from the eye differ by less than the factor group_depth (> 1).
 static inline void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil light, float group_depth, int item,
-                                 floatw* share) {
+                                 realw* share) {
     ShadowRay ray[PACKETS];
     floatw t[PACKETS];
-    intw id[PACKETS], left[PACKETS], group[PACKETS];
+    wholew id[PACKETS], left[PACKETS], group[PACKETS];
     FOR_PACKETS(k) {
         left[k] = share[k] > 0.0f;
         id[k] = load_i(hits.ids, item, k);
-        t[k] = load_f(hits.ts, item, k);
-        ray[k] = shadow_ray(light, scale_w(t[k], load_3(hits.dirs, item, k)));
+        const realw distance = load_r(hits.ts, item, k);
+        t[k] = floats_of(distance);
+        ray[k] = shadow_ray(light, scale_w(distance, load_3(hits.dirs, item, k)));
     }
 #if WALK != WALK_NODES
     if (any_open(left)) trace_group(hierarchy, light, ray, id, left, share);

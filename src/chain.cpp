@@ -12,18 +12,18 @@ class Chain {
   public:
     explicit Chain(Plan& plan) : plan_(plan) {}
 
-    void add(Step step, const std::vector<std::string>& defines) {
+    void add(Step step, const std::vector<std::string>& defines, Accuracy accuracy) {
+        const Variant variant{step.kernel, defines, accuracy};
         std::vector<Variant>& variants = plan_.variants;
-        const auto same = [&](const Variant& v) { return v.kernel == step.kernel && v.defines == defines; };
-        const auto found = std::find_if(variants.begin(), variants.end(), same);
+        const auto found = std::find(variants.begin(), variants.end(), variant);
         step.variant = static_cast<int>(found - variants.begin());
-        if (found == variants.end()) variants.push_back({step.kernel, defines});
+        if (found == variants.end()) variants.push_back(variant);
         plan_.steps.push_back(step);
     }
     void add_lanes(Step step, std::vector<std::string> defines) {
         defines.insert(defines.begin(),
                        {"LANES=" + std::to_string(plan_.lanes), "PACKETS=" + std::to_string(plan_.packets)});
-        add(step, defines);
+        add(step, defines, plan_.accuracy);
     }
     /// For a kernel that meets the spheres.
     void add_tracing(Step step, std::vector<std::string> defines) {
@@ -42,7 +42,9 @@ class Chain {
     void resolve(Output output) {
         Step step{Kernel::resolve, 0};
         step.output = output;
-        add(step, {stream()});
+        // Ids are words, and so are floats to this kernel.
+        const bool doubles = computes_in_double(plan_.accuracy) && output != Output::id;
+        add(step, {stream()}, doubles ? plan_.accuracy : Accuracy::strict);
     }
 
   private:
@@ -105,7 +107,7 @@ void add_steps(Plan& plan, const Scene& scene, const RenderOptions& options) {
 
 void add_sphere_kernels(Plan& plan, const Scene& scene) {
     const auto add = [&](Kernel kernel, bool parallel = false) {
-        const Variant variant = sphere_variant(kernel, plan.has_rests, parallel, plan.memory.cut);
+        const Variant variant = sphere_variant(kernel, plan.accuracy, plan.has_rests, parallel, plan.memory.cut);
         std::vector<Variant>& all = plan.variants;
         if (std::find(all.begin(), all.end(), variant) == all.end()) all.push_back(variant);
     };

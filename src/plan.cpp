@@ -14,7 +14,7 @@ namespace {
 
 // Rays in a tile. On a CPU the buffers of the tiles under way should stay in the caches, and a launch should cost
 // little beside its work: two tiles of 128 Ki rays are 12 MiB, and a launch of one takes 0.1 ms or more. A GPU wants to
-// be filled.
+// be filled. Rays of doubles take twice as much room.
 constexpr int cpu_tile_rays = 1 << 17, gpu_tile_rays = 1 << 20;
 constexpr int max_tile_rays = 1 << 24;
 
@@ -30,8 +30,8 @@ int choose_lanes(int asked, const DeviceLimits& limits) {
     throw Error(Blame::input, "found " + std::to_string(asked) + ", expected 1, 4, 8 or 16", "--lanes");
 }
 
-int tile_rays(int asked, const DeviceLimits& limits) {
-    if (asked == 0) return limits.cpu ? cpu_tile_rays : gpu_tile_rays;
+int tile_rays(int asked, const DeviceLimits& limits, Accuracy accuracy) {
+    if (asked == 0) return (limits.cpu ? cpu_tile_rays : gpu_tile_rays) / (computes_in_double(accuracy) ? 2 : 1);
     if (asked >= BLOCK_RAYS && asked <= max_tile_rays) return asked;
     throw Error(Blame::input,
                 "found " + std::to_string(asked) + ", expected rays a tile, " + std::to_string(BLOCK_RAYS) + " to " +
@@ -67,7 +67,7 @@ int most_faces(const Scene& scene, const Survey& survey, const Frame& frame) {
     int most = 1;
     for (const Light& light : scene.lights)
         if (const auto* point = std::get_if<PointLight>(&light))
-            most = std::max(most, point_pencil(*point, scene.camera, survey, frame).faces);
+            most = std::max(most, point_pencil<float>(*point, scene.camera, survey, frame).faces);
     return most;
 }
 
@@ -79,7 +79,8 @@ MemoryPlan share_memory(const Plan& plan, const Scene& scene, const Survey& surv
                     plan.has_rests || !survey.one_albedo ? 7 : 4,
                     false,
                     options.shadows ? most_faces(scene, survey, choose_frame(scene, survey)) : 1,
-                    plan.max_slices};
+                    plan.max_slices,
+                    real_bytes(plan.accuracy)};
     needs.spheres = survey.count;
     needs.views = 1 + (options.shadows ? static_cast<int>(scene.lights.size()) : 0);
     for (const Tile& tile : plan.tiles) {
@@ -120,15 +121,18 @@ const char* to_string(Kernel kernel) {
 std::string Variant::options() const {
     std::string text;
     for (const std::string& define : defines) text += (text.empty() ? "-D " : " -D ") + define;
-    return text;
+    return text + build_options(accuracy);
 }
 
-Variant sphere_variant(Kernel kernel, bool has_rests, bool is_parallel, bool has_ids) {
+Variant sphere_variant(Kernel kernel, Accuracy accuracy, bool has_rests, bool is_parallel, bool has_ids) {
+    // Spheres are seen as exactly as the type allows, however fast rays are traced.
+    const Accuracy seen = computes_in_double(accuracy) ? accuracy : Accuracy::strict;
     const std::string rests = has_rests ? "RESTS=1" : "RESTS=0", parallel = is_parallel ? "PARALLEL=1" : "PARALLEL=0";
     switch (kernel) {
         case Kernel::project_spheres:
-            return {kernel, {rests, parallel}};
+            return {kernel, {rests, parallel}, seen};
         case Kernel::bound_clusters:
+            return {kernel, {"LANES=16", "PACKETS=1", parallel}, seen};
         case Kernel::bound_nodes:
             return {kernel, {"LANES=16", "PACKETS=1", parallel}};
         case Kernel::gather_spheres:
@@ -165,12 +169,13 @@ bool Plan::uses(Kernel kernel) const {
 Plan make_plan(const Scene& scene, const Survey& survey, const RenderOptions& options, const DeviceLimits& limits) {
     Plan plan;
     plan.image = scene.image;
+    plan.accuracy = options.accuracy;
     plan.lanes = choose_lanes(options.lanes, limits);
     plan.packets = plan.lanes == 1 ? 1 : 4;  // 4 vectors share the load of a sphere; more would spill
     plan.local_size = static_cast<int>(std::min<uint64_t>(limits.cpu ? 16 : 64, limits.max_work_group));
     plan.slice_local_size = limits.cpu ? 1 : plan.local_size;
     plan.max_slices = limits.compute_units * (limits.cpu ? 16 : 64);
-    plan.tiles = cut(scene.image, tile_rays(options.tile, limits));
+    plan.tiles = cut(scene.image, tile_rays(options.tile, limits, options.accuracy));
     plan.spheres = survey.count;
     plan.has_rests = !choose_frame(scene, survey).floats;
     plan.group_depth = group_depth(scene);

@@ -52,14 +52,18 @@ enum class Shadows { off, read, traced };
 struct Variant {
     Kernel kernel;
     std::vector<std::string> defines;
+    Accuracy accuracy = Accuracy::strict;
 
     std::string options() const;  ///< "-D LANES=16 ..."
-    bool operator==(const Variant& other) const { return kernel == other.kernel && defines == other.defines; }
+    bool operator==(const Variant& other) const {
+        return kernel == other.kernel && defines == other.defines && accuracy == other.accuracy;
+    }
 };
 
 /// A kernel of those before the tiles: whether spheres have rests and ids (sphere_rows.h), whether the pencil is
-/// parallel; what does not matter to it is left out.
-Variant sphere_variant(Kernel kernel, bool has_rests = false, bool is_parallel = false, bool has_ids = false);
+/// parallel, how rays are computed; what does not matter to it is left out.
+Variant sphere_variant(Kernel kernel, Accuracy accuracy, bool has_rests = false, bool is_parallel = false,
+                       bool has_ids = false);
 
 /// One launch of every tile's chain; each waits for the one before it.
 struct Step {
@@ -73,6 +77,7 @@ struct Step {
 
 struct Plan {
     ImageSize image;
+    Accuracy accuracy = Accuracy::strict;
     int lanes = 1, packets = 1;  ///< rays a vector, vectors a work-item
     int local_size = 1;          ///< work-items a group, the same for all launches but
     int slice_local_size = 1;    ///< those over the slices of a sort

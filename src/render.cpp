@@ -44,6 +44,7 @@ bool fits(const Film& film, const ImageSize& image, const Outputs& outputs) {
 
 RenderStats planned(const Plan& plan, const Scene& scene) {
     RenderStats stats;
+    stats.accuracy = plan.accuracy;
     stats.lanes = plan.lanes;
     stats.packets = plan.packets;
     stats.tiles = static_cast<int>(plan.tiles.size());
@@ -206,6 +207,7 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 RenderStats Renderer::render(const Scene& scene, const RenderOptions& options, Film& film) try {
+    check_accuracy(options.accuracy, state_->info);
     const double start = now();
     std::optional<Still>& still = state_->still;
     if (!options.same_spheres) still.reset();

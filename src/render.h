@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "accuracy.h"
 #include "device.h"
 #include "film.h"
 #include "scene.h"
@@ -16,6 +17,7 @@ namespace gnomon {
 struct RenderOptions {
     Outputs outputs;
     bool shadows = true;
+    Accuracy accuracy = Accuracy::strict;
     int lanes = 0;        ///< rays a vector: 1, 4, 8 or 16; 0 lets the plan choose
     uint64_t memory = 0;  ///< bytes of the device that may be used; 0: all that it offers
     int tile = 0;         ///< rays a tile, rounded to whole 8 x 8 blocks; 0 lets the plan choose
@@ -36,6 +38,7 @@ struct KernelStats {
 };
 
 struct RenderStats {
+    Accuracy accuracy = Accuracy::strict;
     int lanes = 0, packets = 0, tiles = 0;
     int64_t tile_rays = 0;
     int64_t planned_bytes = 0, peak_bytes = 0;  ///< of the device: what the plan said, and what it came to
@@ -51,7 +54,8 @@ struct RenderStats {
 };
 
 /// Renders on one device; keeps its context and the kernels that were built between pictures.
-/// Throws Error(Blame::run) when the device or its compiler fails.
+/// Throws Error(Blame::run) when the device or its compiler fails, Error(Blame::input) for an accuracy that the device
+/// does not have.
 class Renderer {
   public:
     explicit Renderer(const DeviceInfo& device);
