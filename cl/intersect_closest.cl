@@ -18,17 +18,17 @@
 
 // The closest hit so far.
 typedef struct {
-    floatw t;
-    intw id;
+    realw t;
+    wholew id;
     vec3w center;
 #if CERTIFIED
-    floatw doubt;   // of t
-    floatw unsure;  // what rounding may have decided lies no nearer than this
+    realw doubt;   // of t
+    realw unsure;  // what rounding may have decided lies no nearer than this
 #endif
 } Hit;
 
 static inline Hit no_hit(void) {
-    Hit hit = {wide(INFINITY), (intw)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}};
+    Hit hit = {wide(INFINITY), (wholew)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}};
 #if CERTIFIED
     hit.doubt = wide(0.0f);
     hit.unsure = wide(INFINITY);
@@ -36,12 +36,11 @@ static inline Hit no_hit(void) {
     return hit;
 }
 
-static inline void store_misses(global float* ts, global float* normals, global int* ids, global float* doubts,
-                                int item) {
+static inline void store_misses(global real* ts, global real* normals, global int* ids, global real* doubts, int item) {
     FOR_PACKETS(k) {
-        store_f(wide(INFINITY), ts, item, k);
-        store_3(broadcast((Float3){INFINITY, INFINITY, INFINITY}), normals, item, k);
-        store_i((intw)(-1), ids, item, k);
+        store_r(wide(INFINITY), ts, item, k);
+        store_3(broadcast((Real3){INFINITY, INFINITY, INFINITY}), normals, item, k);
+        store_i((wholew)(-1), ids, item, k);
 #if CERTIFIED
         store_2(wide(0.0f), wide(0.0f), doubts, item, k);
 #endif
@@ -62,50 +61,50 @@ static inline int next_candidates(Hierarchy hierarchy, Traversal* traversal, Fat
 
 // Whether and where the spheres meet a ray, as far as bounds can tell.
 typedef struct {
-    floatw t, doubt;
-    intw meets, unsure;
-    floatw nearest;  // where it is unsure, not nearer than this
+    realw t, doubt;
+    wholew meets, unsure;
+    realw nearest;  // where it is unsure, not nearer than this
 } Meeting;
 
-static inline Meeting judge(PencilSphere s, Doubt doubt, vec3w dir, float base, floatw b, floatw discriminant) {
-    const float edge = doubt.discriminant;
+static inline Meeting judge(PencilSphere s, Doubt doubt, vec3w dir, real base, realw b, realw discriminant) {
+    const real edge = doubt.discriminant;
     const int outside = s.power > doubt.power, inside = s.power < -doubt.power;
-    const intw crosses = discriminant > edge, passes = discriminant < -edge, behind = b < -doubt.shift;
-    const intw misses = passes | (outside ? behind : (intw)(0));
+    const wholew crosses = discriminant > edge, passes = discriminant < -edge, behind = b < -doubt.shift;
+    const wholew misses = passes | (outside ? behind : (wholew)(0));
     Meeting m;
-    m.meets = inside ? crosses : outside ? crosses & (b > doubt.shift) : (intw)(0);
+    m.meets = inside ? crosses : outside ? crosses & (b > doubt.shift) : (wholew)(0);
     m.unsure = !(m.meets | misses);
-    const floatw root = square_root(discriminant);
+    const realw root = square_root(discriminant);
     m.t = sphere_root(s, b, discriminant);
     m.doubt = root_doubt(doubt, s, dir, base, b, discriminant, root, m.t);
     m.unsure |= m.meets & !(m.doubt < INFINITY);
     m.meets &= !m.unsure;
     // Here D < 2 edge, or nothing is known.
-    const floatw nearest = b - (doubt.shift + 1.5f * sqrt(edge));
-    m.nearest = (outside ? nearest > -INFINITY : (intw)(0)) ? nearest : wide(-INFINITY);
+    const realw nearest = b - (doubt.shift + 1.5f * sqrt(edge));
+    m.nearest = (outside ? nearest > -INFINITY : (wholew)(0)) ? nearest : wide(-INFINITY);
     return m;
 }
 
 static inline void decide(PencilSphere s, Meeting m, Hit* hit) {
-    const floatw near = m.t - m.doubt, far = m.t + m.doubt;
-    const floatw hit_near = hit->t - hit->doubt, hit_far = hit->t + hit->doubt;
-    const intw apart = (near > hit_far) | (far < hit_near), tied = m.meets & !apart;
+    const realw near = m.t - m.doubt, far = m.t + m.doubt;
+    const realw hit_near = hit->t - hit->doubt, hit_far = hit->t + hit->doubt;
+    const wholew apart = (near > hit_far) | (far < hit_near), tied = m.meets & !apart;
     hit->unsure = LESS(m.unsure ? m.nearest : wide(INFINITY), hit->unsure);
     hit->unsure = LESS(tied ? LESS(near, hit_near) : wide(INFINITY), hit->unsure);
-    const intw closer = m.meets & (m.t < hit->t);
+    const wholew closer = m.meets & (m.t < hit->t);
     hit->t = closer ? m.t : hit->t;
-    hit->id = closer ? (intw)(s.id) : hit->id;
+    hit->id = closer ? (wholew)(s.id) : hit->id;
     hit->center = select_w(closer, broadcast(s.center), hit->center);
     hit->doubt = closer ? m.doubt : hit->doubt;
 }
 
 // 0 when no ray can have a closer hit now than before.
-static inline int intersect(PencilSphere s, const vec3w* dir, float base, Hit* hit) {
+static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit) {
     const Doubt doubt = doubt_of(s, EYE_TURN, base);
-    floatw b[PACKETS], discriminant[PACKETS];
-    intw any = 0;
+    realw b[PACKETS], discriminant[PACKETS];
+    wholew any = 0;
     FOR_PACKETS(k) {
-        b[k] = dot_f(s.center, dir[k]);
+        b[k] = dot_r(s.center, dir[k]);
         discriminant[k] = sphere_discriminant(s, dir[k], b[k]);
         any |= !(discriminant[k] < -doubt.discriminant);
     }
@@ -114,49 +113,49 @@ static inline int intersect(PencilSphere s, const vec3w* dir, float base, Hit* h
     return 1;
 }
 
-static inline floatw reaches(Hit hit) { return hit.t + hit.doubt; }
+static inline realw reaches(Hit hit) { return hit.t + hit.doubt; }
 
 #else
 
 // 0 when no ray can have a closer hit now than before. Without a branch for each packet, which would be guessed wrong
 // half of the time.
-static inline int intersect(PencilSphere s, const vec3w* dir, float base, Hit* hit) {
-    floatw b[PACKETS], discriminant[PACKETS];
-    intw meets[PACKETS], any = 0;
+static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit) {
+    realw b[PACKETS], discriminant[PACKETS];
+    wholew meets[PACKETS], any = 0;
     FOR_PACKETS(k) {
-        b[k] = dot_f(s.center, dir[k]);
+        b[k] = dot_r(s.center, dir[k]);
         discriminant[k] = sphere_discriminant(s, dir[k], b[k]);
         meets[k] = sphere_meets(s, b[k], discriminant[k]);
         any |= meets[k];
     }
     if (!any_lane(any)) return 0;
     FOR_PACKETS(k) {
-        const floatw t = sphere_root(s, b[k], discriminant[k]);
+        const realw t = sphere_root(s, b[k], discriminant[k]);
         // Of equal distances the lowest id's.
-        const intw closer = meets[k] & (t > 0.0f) & ((t < hit[k].t) | ((t == hit[k].t) & (hit[k].id > s.id)));
+        const wholew closer = meets[k] & (t > 0.0f) & ((t < hit[k].t) | ((t == hit[k].t) & (hit[k].id > s.id)));
         hit[k].t = closer ? t : hit[k].t;
-        hit[k].id = closer ? (intw)(s.id) : hit[k].id;
+        hit[k].id = closer ? (wholew)(s.id) : hit[k].id;
         hit[k].center = select_w(closer, broadcast(s.center), hit[k].center);
     }
     return 1;
 }
 
-static inline floatw reaches(Hit hit) { return hit.t; }
+static inline realw reaches(Hit hit) { return hit.t; }
 
 #endif
 
 // Where the farthest of the closest hits is; rays that are none do not count.
-static inline float farthest_hit(const Hit* hit, const intw* valid) {
-    floatw farthest = wide(0.0f);
-    FOR_PACKETS(k) farthest = MORE(valid[k] ? reaches(hit[k]) : wide(0.0f), farthest);
+static inline float farthest_hit(const Hit* hit, const wholew* valid) {
+    floatw farthest = wide_float(0.0f);
+    FOR_PACKETS(k) farthest = MORE(floats_of(valid[k] ? reaches(hit[k]) : wide(0.0f)), farthest);
     return REDUCE(most, farthest);
 }
 
 // With 1 / |position - centre|, at hits.
-static inline vec3w outward_normal(Hit hit, vec3w dir, floatw* inverse) {
+static inline vec3w outward_normal(Hit hit, vec3w dir, realw* inverse) {
     *inverse = wide(0.0f);
-    const vec3w infinite = broadcast((Float3){INFINITY, INFINITY, INFINITY});
-    const intw hits = hit.id >= 0;
+    const vec3w infinite = broadcast((Real3){INFINITY, INFINITY, INFINITY});
+    const wholew hits = hit.id >= 0;
     if (!any_lane(hits)) return infinite;
     const vec3w out = fma_w(hit.t, dir, (vec3w){-hit.center.x, -hit.center.y, -hit.center.z});
     *inverse = divide(wide(1.0f), square_root(dot_w(out, out)));
@@ -167,28 +166,28 @@ static inline vec3w outward_normal(Hit hit, vec3w dir, floatw* inverse) {
 // The position is off by t's doubt along the ray and, the ray's turn and two roundings, 8 u t across it; the normal by
 // that, the centre's rounding, 1 u |f| <= u (t + r), and out's own, over the radius, which is |out| but for as much.
 // Twice the quotient serves while it is below 1/2; beyond, nothing is known.
-static inline void store_doubts(Hit hit, floatw inverse, float base, global float* doubts, int item, int k) {
-    const floatw position = fma(wide(8 * ROUNDING), hit.t, hit.doubt);
-    const floatw share = fma(fma(wide(4 * ROUNDING), hit.t, position + base), inverse, wide(4 * ROUNDING));
-    const intw hits = hit.id >= 0, sure = hits ? hit.unsure > reaches(hit) : hit.unsure == INFINITY;
-    const floatw of_position = hits ? position : wide(0.0f);
+static inline void store_doubts(Hit hit, realw inverse, real base, global real* doubts, int item, int k) {
+    const realw position = fma(wide(8 * ROUNDING), hit.t, hit.doubt);
+    const realw share = fma(fma(wide(4 * ROUNDING), hit.t, position + base), inverse, wide(4 * ROUNDING));
+    const wholew hits = hit.id >= 0, sure = hits ? hit.unsure > reaches(hit) : hit.unsure == INFINITY;
+    const realw of_position = hits ? position : wide(0.0f);
     store_2(sure ? of_position : wide(INFINITY),
             share < 0.5f ? fma(wide(2.0f), share, wide(4 * ROUNDING)) : wide(INFINITY), doubts, item, k);
 }
 #endif
 
-kernel void intersect_closest(global float* restrict dirs, const EyePencil eye, const Tile tile, const Basis basis,
+kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, const Tile tile, const Basis basis,
                               global const PencilCluster* restrict clusters, global const Node* restrict nodes,
                               const int levels, const int last, const int first_chunk, const int items,
-                              global float* restrict ts, global float* restrict normals, global int* restrict ids,
-                              const int first_group, global int* restrict hit_counts, const float base,
-                              global float* restrict doubts) {
+                              global real* restrict ts, global real* restrict normals, global int* restrict ids,
+                              const int first_group, global int* restrict hit_counts, const real base,
+                              global real* restrict doubts) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
     const Hierarchy hierarchy = {clusters, nodes, levels, last};
     vec3w dir[PACKETS];
     Hit hit[PACKETS];
-    intw valid[PACKETS];
+    wholew valid[PACKETS];
 #if RAYS == RAYS_GENERATED
     // Most work-items that meet nothing are known before their rays are.
     FatRay fat = eye_fat_ray(eye, tile, item, basis);
@@ -211,7 +210,7 @@ kernel void intersect_closest(global float* restrict dirs, const EyePencil eye, 
     }
 #if CHUNKS
     if (!first_chunk) FOR_PACKETS(k) {
-            hit[k].t = load_f(ts, item, k);
+            hit[k].t = load_r(ts, item, k);
             hit[k].id = load_i(ids, item, k);
         }
 #endif
@@ -232,24 +231,24 @@ kernel void intersect_closest(global float* restrict dirs, const EyePencil eye, 
         fat.distance = traversal.farthest;
 #endif
     }
-    intw hits = 0;
+    wholew hits = 0;
     FOR_PACKETS(k) {
-        store_f(hit[k].t, ts, item, k);
-        floatw inverse;
+        store_r(hit[k].t, ts, item, k);
+        realw inverse;
         vec3w normal = outward_normal(hit[k], dir[k], &inverse);
 #if CERTIFIED
         store_doubts(hit[k], inverse, base, doubts, item, k);
 #endif
-        hits += hit[k].id >= 0 ? (intw)(1) : (intw)(0);
+        hits += hit[k].id >= 0 ? (wholew)(1) : (wholew)(0);
 #if CHUNKS
         if (!first_chunk) {
-            const intw before = load_i(ids, item, k);  // hits that stayed as they were have no centre here
+            const wholew before = load_i(ids, item, k);  // hits that stayed as they were have no centre here
             normal = select_w(hit[k].id != before, normal, load_3(normals, item, k));
-            hits -= before >= 0 ? (intw)(1) : (intw)(0);
+            hits -= before >= 0 ? (wholew)(1) : (wholew)(0);
         }
 #endif
         store_3(normal, normals, item, k);
         store_i(hit[k].id, ids, item, k);
     }
-    atomic_add(hit_counts + first_group + get_group_id(0), REDUCE(count, hits));
+    atomic_add(hit_counts + first_group + get_group_id(0), REDUCE(count, ints_of(hits)));
 }

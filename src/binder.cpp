@@ -45,7 +45,7 @@ void Binder::bind(cl::Kernel& kernel, const TileLaunch& launch) const {
             return set_arguments(kernel, b.dirs, scene_.eye, launch.tile, scene_.eye_basis, launch.spheres->clusters,
                                  launch.spheres->nodes, launch.spheres->levels, launch.spheres->last,
                                  launch.first_chunk ? 1 : 0, items, b.ts, b.normals, b.ids, launch.first_group,
-                                 hit_counts_, scene_.base_doubt, b.doubts);
+                                 hit_counts_, base_doubt(), b.doubts);
         case Kernel::intersect_shadow:
         case Kernel::shade_light:
             return bind_light(kernel, launch, items);
@@ -73,7 +73,7 @@ void Binder::bind_light(cl::Kernel& kernel, const TileLaunch& launch, int items)
                           plan_.group_depth, albedos.values, albedos.first, albedos.stride, pencil, light.phi,
                           launch.step.first ? 1 : 0, items, b.radiance, launch.step.resolves ? 1 : 0, launch.tile,
                           shape_of_planes(launch.tile), plane(launch, 0), plane(launch, 1), plane(launch, 2),
-                          scene_.base_doubt, b.doubts);
+                          base_doubt(), b.doubts);
     };
     std::visit(with, light.pencil);
 }
@@ -85,6 +85,11 @@ void Binder::bind_resolve(cl::Kernel& kernel, const TileLaunch& launch) const {
     const int components = output == Output::radiance || output == Output::normal ? 3 : 1;
     set_arguments(kernel, *sources[static_cast<size_t>(output)], components, launch.tile, shape_of_planes(launch.tile),
                   plan_.items(Kernel::resolve, launch.tile), plane(launch, 0), plane(launch, 1), plane(launch, 2));
+}
+
+std::variant<float, double> Binder::base_doubt() const {
+    if (computes_in_double(plan_.accuracy)) return static_cast<double>(scene_.base_doubt);
+    return scene_.base_doubt;
 }
 
 Planes Binder::shape_of_planes(const Tile& tile) const {

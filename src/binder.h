@@ -2,6 +2,7 @@
 #pragma once
 
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "buffers.h"
@@ -39,6 +40,7 @@ class Binder {
   private:
     void bind_light(cl::Kernel& kernel, const TileLaunch& launch, int items) const;
     void bind_resolve(cl::Kernel& kernel, const TileLaunch& launch) const;
+    std::variant<float, double> base_doubt() const;
     Planes shape_of_planes(const Tile& tile) const;
     /// Plane c of a step's output; some buffer where the step has none, for kernels must be given one.
     const cl::Buffer& plane(const TileLaunch& launch, size_t c) const;

@@ -13,8 +13,8 @@ namespace gnomon {
 
 /// One light: its pencil and factor, passed by value, and the spheres as its rays see them (when shadows are on).
 struct LightBuffers {
-    std::variant<ParallelPencil, PointPencil> pencil;
-    Float3 phi{};
+    std::variant<ParallelPencil, PointPencil, ParallelPencilOf<double>, PointPencilOf<double>> pencil;
+    Either<Real3Of> phi;
     SphereBuffers spheres;
 };
 
@@ -25,7 +25,7 @@ struct AlbedoBuffer {
 };
 
 struct SceneBuffers {
-    EyePencil eye{};
+    Either<EyePencilOf> eye;
     Basis eye_basis{};
     SphereBuffers spheres;  ///< as the eye sees them
     AlbedoBuffer albedos;
@@ -53,7 +53,7 @@ class TilePool {
 
   private:
     std::vector<TileBuffers> tiles_;
-    std::array<size_t, 6> shape_{};
+    std::array<size_t, 7> shape_{};
 };
 
 }  // namespace gnomon

@@ -1,6 +1,7 @@
-// The pixels that rounding may have decided, decided again.
+// Single pixels that are computed again.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "film.h"
@@ -8,8 +9,18 @@
 
 namespace gnomon {
 
-/// Decides these pixels (places in the image, row by row) exactly and writes what they show into the planes that the
-/// film has; distances in units of 1 / per_unit.
-void decide_again(const Scene& scene, bool shadows, const std::vector<int>& pixels, double per_unit, Film& film);
+/// What one pixel shows.
+struct Pixel {
+    int32_t id;  ///< -1 for a miss
+    double t;
+    Vec3 normal;
+    Rgb radiance;
+};
+
+/// Into the planes that the film has, rounded to float.
+void put(Film& film, size_t at, const Pixel& pixel);
+
+/// Decides these pixels (places in the image, row by row) exactly; distances are in the unit.
+void decide_exactly(const Scene& scene, bool shadows, const std::vector<int>& pixels, double unit, Film& film);
 
 }  // namespace gnomon

@@ -9,8 +9,8 @@ namespace gnomon::exact {
 
 namespace {
 
-using Interval = boost::multiprecision::number<boost::multiprecision::mpfi_float_backend<0>,
-                                               boost::multiprecision::et_off>;
+using Interval =
+    boost::multiprecision::number<boost::multiprecision::mpfi_float_backend<0>, boost::multiprecision::et_off>;
 
 /// More bits are needed.
 struct Unsettled {};

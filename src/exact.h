@@ -11,11 +11,11 @@ namespace gnomon::exact {
 
 /// What one pixel shows.
 struct Pixel {
-    int32_t id = -1;      ///< -1 for a miss
-    double t;             ///< distance; infinity for a miss
-    Vec3 normal;          ///< outward; infinite for a miss
+    int32_t id = -1;  ///< -1 for a miss
+    double t;         ///< distance; infinity for a miss
+    Vec3 normal;      ///< outward; infinite for a miss
     Rgb radiance{0, 0, 0};
-    int bits = 0;         ///< of precision that its last decision took
+    int bits = 0;  ///< of precision that its last decision took
 };
 
 /// A quantity that this many bits do not tell from 0 counts as 0: they would tell apart whatever does not cancel to

@@ -36,9 +36,10 @@ struct MemoryPlan {
     int64_t peak_bytes = 0;  ///< of the device
 };
 
-/// Bytes of one ray in a tile's buffers: dir 12, t 4, normal 12, id 4, arrival 4, radiance 12; albedo 12 if the scene
-/// is cut.
-constexpr int64_t bytes_per_ray = 48, bytes_per_albedo = 12;
+/// Bytes of one ray in a tile's buffers: dir, normal and radiance 3 reals each, t and arrival 1, id 4; albedo 12 if the
+/// scene is cut.
+constexpr int64_t bytes_per_ray(int64_t real_bytes) { return (3 + 3 + 3 + 1 + 1) * real_bytes + 4; }
+constexpr int64_t bytes_per_albedo = 12;
 
 /// Throws Error(Blame::run) when not even small chunks fit.
 MemoryPlan plan_memory(const MemoryNeeds& needs, const MemoryLimits& limits);

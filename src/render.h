@@ -38,6 +38,7 @@ struct KernelStats {
 };
 
 struct RenderStats {
+    Accuracy accuracy = Accuracy::strict;
     int lanes = 0, packets = 0, tiles = 0;
     int64_t tile_rays = 0;
     int64_t planned_bytes = 0, peak_bytes = 0;  ///< of the device: what the plan said, and what it came to
@@ -56,7 +57,8 @@ struct RenderStats {
 };
 
 /// Renders on one device; keeps its context and the kernels that were built between pictures.
-/// Throws Error(Blame::run) when the device or its compiler fails.
+/// Throws Error(Blame::run) when the device or its compiler fails, Error(Blame::input) for an accuracy that the device
+/// does not have.
 class Renderer {
   public:
     explicit Renderer(const DeviceInfo& device);
