@@ -22,7 +22,6 @@ typedef struct {
     wholew id;
     vec3w center;
 #if CERTIFIED
-    realw doubt;   // of t
     realw unsure;  // what rounding may have decided lies no nearer than this
 #endif
 } Hit;
@@ -30,7 +29,6 @@ typedef struct {
 static inline Hit no_hit(void) {
     Hit hit = {wide(INFINITY), (wholew)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}};
 #if CERTIFIED
-    hit.doubt = wide(0.0f);
     hit.unsure = wide(INFINITY);
 #endif
     return hit;
@@ -59,61 +57,59 @@ static inline int next_candidates(Hierarchy hierarchy, Traversal* traversal, Fat
 
 #if CERTIFIED
 
-// Whether and where the spheres meet a ray, as far as bounds can tell.
-typedef struct {
-    realw t, doubt;
-    wholew meets, unsure;
-    realw nearest;  // where it is unsure, not nearer than this
-} Meeting;
-
-static inline Meeting judge(PencilSphere s, Doubt doubt, vec3w dir, real base, realw b, realw discriminant) {
+// The rays of a packet for which bounds do not settle at once whether the sphere is met, and before what is hit.
+static inline void look_closer(PencilSphere s, Doubt doubt, vec3w dir, real base, realw b, realw discriminant,
+                               wholew meets, realw t, wholew* closer, Hit* hit) {
     const real edge = doubt.discriminant;
     const int outside = s.power > doubt.power, inside = s.power < -doubt.power;
-    const wholew crosses = discriminant > edge, passes = discriminant < -edge, behind = b < -doubt.shift;
-    const wholew misses = passes | (outside ? behind : (wholew)(0));
-    Meeting m;
-    m.meets = inside ? crosses : outside ? crosses & (b > doubt.shift) : (wholew)(0);
-    m.unsure = !(m.meets | misses);
-    const realw root = square_root(discriminant);
-    m.t = sphere_root(s, b, discriminant);
-    m.doubt = root_doubt(doubt, s, dir, base, b, discriminant, root, m.t);
-    m.unsure |= m.meets & !(m.doubt < INFINITY);
-    m.meets &= !m.unsure;
-    // Here D < 2 edge, or nothing is known.
-    const realw nearest = b - (doubt.shift + 1.5f * sqrt(edge));
-    m.nearest = (outside ? nearest > -INFINITY : (wholew)(0)) ? nearest : wide(-INFINITY);
-    return m;
-}
-
-static inline void decide(PencilSphere s, Meeting m, Hit* hit) {
-    const realw near = m.t - m.doubt, far = m.t + m.doubt;
-    const realw hit_near = hit->t - hit->doubt, hit_far = hit->t + hit->doubt;
-    const wholew apart = (near > hit_far) | (far < hit_near), tied = m.meets & !apart;
-    hit->unsure = LESS(m.unsure ? m.nearest : wide(INFINITY), hit->unsure);
-    hit->unsure = LESS(tied ? LESS(near, hit_near) : wide(INFINITY), hit->unsure);
-    const wholew closer = m.meets & (m.t < hit->t);
-    hit->t = closer ? m.t : hit->t;
-    hit->id = closer ? (wholew)(s.id) : hit->id;
-    hit->center = select_w(closer, broadcast(s.center), hit->center);
-    hit->doubt = closer ? m.doubt : hit->doubt;
+    const wholew passes = discriminant < -edge, behind = b < -doubt.shift, none = 0;
+    const wholew misses = passes | (outside ? behind : none);
+    const wholew sure = is_plain(doubt, s, dir, base, b, discriminant) & (outside  ? b > doubt.shift
+                                                                          : inside ? !none
+                                                                                   : none);
+    const realw off = root_doubt(broadcast(s.center), dir, t, base),
+                hit_off = root_doubt(hit->center, dir, hit->t, base);
+    const realw near = t - off, hit_near = hit->id >= 0 ? hit->t - hit_off : hit->t;
+    const wholew apart = (near > hit->t + hit_off) | (t + off < hit_near) | ((hit->id < 0) & (off < INFINITY));
+    // Where it is grazed D < 2 edge, or nothing is known.
+    const realw grazed = b - (doubt.shift + 1.5f * sqrt(edge)), all = -INFINITY;
+    const realw from = (outside ? grazed > -INFINITY : none) ? LESS(grazed, near) : all;
+    hit->unsure = LESS(sure | misses ? wide(INFINITY) : near == near ? from : all, hit->unsure);
+    hit->unsure = LESS(sure & !apart ? LESS(near, hit_near) : wide(INFINITY), hit->unsure);
+    *closer = (meets | sure) & !misses & (t > 0.0f) & (t < hit->t);
 }
 
 // 0 when no ray can have a closer hit now than before.
 static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit) {
     const Doubt doubt = doubt_of(s, EYE_TURN, base);
     realw b[PACKETS], discriminant[PACKETS];
-    wholew any = 0;
+    wholew near[PACKETS], any = 0;
     FOR_PACKETS(k) {
         b[k] = dot_r(s.center, dir[k]);
         discriminant[k] = sphere_discriminant(s, dir[k], b[k]);
-        any |= !(discriminant[k] < -doubt.discriminant);
+        near[k] = !(discriminant[k] < -doubt.discriminant);
+        any |= near[k];
     }
     if (!any_lane(any)) return 0;
-    FOR_PACKETS(k) decide(s, judge(s, doubt, dir[k], base, b[k], discriminant[k]), hit + k);
+    const int sided = fabs(s.power) > MORE(4 * doubt.shift * doubt.shift, doubt.power);
+    FOR_PACKETS(k) {
+        const realw t = sphere_root(s, b[k], discriminant[k]);
+        const wholew meets = sphere_meets(s, b[k], discriminant[k]);
+        const wholew plain =
+            is_plain(doubt, s, dir[k], base, b[k], discriminant[k]) & (sided ? !(wholew)(0) : (wholew)(0));
+        const wholew tied = fabs(t - hit[k].t) <= 4 * PLAINLY * t;
+        wholew closer = meets & (t < hit[k].t);
+        if (any_lane(near[k] & (!plain | tied)))
+            look_closer(s, doubt, dir[k], base, b[k], discriminant[k], meets, t, &closer, hit + k);
+        hit[k].t = closer ? t : hit[k].t;
+        hit[k].id = closer ? (wholew)(s.id) : hit[k].id;
+        hit[k].center = select_w(closer, broadcast(s.center), hit[k].center);
+    }
     return 1;
 }
 
-static inline realw reaches(Hit hit) { return hit.t + hit.doubt; }
+// Hits that are not plain are not decided.
+static inline realw reaches(Hit hit) { return fma(hit.t, wide(4 * PLAINLY), hit.t); }
 
 #else
 
@@ -166,13 +162,18 @@ static inline vec3w outward_normal(Hit hit, vec3w dir, realw* inverse) {
 // The position is off by t's doubt along the ray and, the ray's turn and two roundings, 8 u t across it; the normal by
 // that, the centre's rounding, 1 u |f| <= u (t + r), and out's own, over the radius, which is |out| but for as much.
 // Twice the quotient serves while it is below 1/2; beyond, nothing is known.
-static inline void store_doubts(Hit hit, realw inverse, real base, global real* doubts, int item, int k) {
-    const realw position = fma(wide(8 * ROUNDING), hit.t, hit.doubt);
-    const realw share = fma(fma(wide(4 * ROUNDING), hit.t, position + base), inverse, wide(4 * ROUNDING));
-    const wholew hits = hit.id >= 0, sure = hits ? hit.unsure > reaches(hit) : hit.unsure == INFINITY;
-    const realw of_position = hits ? position : wide(0.0f);
-    store_2(sure ? of_position : wide(INFINITY),
-            share < 0.5f ? fma(wide(2.0f), share, wide(4 * ROUNDING)) : wide(INFINITY), doubts, item, k);
+static inline void store_doubts(Hit hit, vec3w dir, realw inverse, real base, global real* doubts, int item, int k) {
+    const wholew hits = hit.id >= 0;
+    realw position = wide(0.0f), normal = wide(0.0f);
+    wholew sure = hit.unsure == INFINITY;
+    if (any_lane(hits)) {
+        const realw off = root_doubt(hit.center, dir, hit.t, base);
+        const realw share = fma(fma(wide(12 * ROUNDING), hit.t, off + base), inverse, wide(4 * ROUNDING));
+        position = hits ? fma(wide(8 * ROUNDING), hit.t, off) : position;
+        normal = share < 0.5f ? fma(wide(2.0f), share, wide(4 * ROUNDING)) : wide(INFINITY);
+        sure = hits ? hit.unsure > hit.t + off : sure;
+    }
+    store_2(sure ? position : wide(INFINITY), normal, doubts, item, k);
 }
 #endif
 
@@ -237,7 +238,7 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
         realw inverse;
         vec3w normal = outward_normal(hit[k], dir[k], &inverse);
 #if CERTIFIED
-        store_doubts(hit[k], inverse, base, doubts, item, k);
+        store_doubts(hit[k], dir[k], inverse, base, doubts, item, k);
 #endif
         hits += hit[k].id >= 0 ? (wholew)(1) : (wholew)(0);
 #if CHUNKS

@@ -47,6 +47,7 @@ static inline wholew occludes(PencilSphere s, ShadowRay ray) {
 typedef struct {
     real shift;
 } RayDoubt;
+typedef Doubt Edge;
 
 // `position` is the most that one is off. Its coordinates in the basis: the basis is turned by up to 2 u, three dot
 // products of 3 u; together with the sphere's, 12 u |c| in doubt_of, 12 u |p|.
@@ -58,19 +59,30 @@ static inline RayDoubt ray_doubt(LightPencil light, real position, real farthest
 // Nothing here depends on how far the light is.
 static inline realw way_of(ShadowRay ray) { return wide(INFINITY); }
 
-// Where a sphere surely occludes the ray, and where it surely does not.
-static inline void judge_occlusion(PencilSphere s, ShadowRay ray, RayDoubt doubt, real base, wholew* closes,
+// A sphere's edge: D is off by no more, wherever it is near 0 or above.
+static inline Edge edge_of(PencilSphere s, RayDoubt doubt, real base) {
+    const real distance = fabs(s.center.x) + fabs(s.center.y) + fabs(s.center.z);
+    const real shift = 12 * ROUNDING * distance + doubt.shift + base;
+    return (Edge){shift, (2 * sqrt(s.r2) + 3 * shift) * shift + 12 * ROUNDING * s.r2, 0};
+}
+
+// Where the sphere is not surely passed.
+static inline wholew is_near(PencilSphere s, ShadowRay ray, Edge edge) {
+    const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
+    return !(fma(-x, x, fma(-y, y, wide(s.r2))) < -edge.discriminant);
+}
+
+// Where it surely occludes the ray, and where it surely does not.
+static inline void judge_occlusion(PencilSphere s, ShadowRay ray, RayDoubt doubt, Edge edge, wholew* closes,
                                    wholew* clear) {
-    const real distance = sqrt(MORE(s.power + s.r2, 0.0f)), radius = sqrt(s.r2);
-    const real shift = fma(12 * ROUNDING, distance, doubt.shift) + base;
-    const real edge = fma(fma(radius, (real)2.0f, 3 * shift), shift, 12 * ROUNDING * s.r2);
     const realw ahead = wide(s.center.z) - ray.from.z;
     const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
     const realw discriminant = fma(-x, x, fma(-y, y, wide(s.r2)));
     // The receiver's power: next to the surface |ahead| <= r, and it is off by as much again.
     const realw power = fma(ahead, ahead, -discriminant);
-    *closes = (discriminant > edge) & ((ahead > shift) | (power < -2 * edge));
-    *clear = (discriminant < -edge) | ((ahead < -shift) & (power > 2 * edge));
+    const real e = edge.discriminant;
+    *closes = (discriminant > e) & ((ahead > edge.shift) | (power < -2 * e));
+    *clear = (discriminant < -e) | ((ahead < -edge.shift) & (power > 2 * e));
 }
 
 // Where the surface surely faces the light, or surely does not: n . l is off by the normal's doubt, l's turn and the

@@ -76,9 +76,19 @@ static inline RayDoubt ray_doubt(LightPencil light, real position, real farthest
 
 static inline realw way_of(ShadowRay ray) { return ray.distance; }
 
-static inline void judge_occlusion(PencilSphere s, ShadowRay ray, RayDoubt doubt, real base, wholew* closes,
+typedef Doubt Edge;
+static inline Edge edge_of(PencilSphere s, RayDoubt doubt, real base) {
+    return doubt_of(s, doubt.turn, base + doubt.light);
+}
+
+// Where the sphere is not surely passed.
+static inline wholew is_near(PencilSphere s, ShadowRay ray, Edge edge) {
+    return !(sphere_discriminant(s, ray.dir, dot_r(s.center, ray.dir)) < -edge.discriminant);
+}
+
+// Where it surely occludes the ray, and where it surely does not.
+static inline void judge_occlusion(PencilSphere s, ShadowRay ray, RayDoubt doubt, Edge d, wholew* closes,
                                    wholew* clear) {
-    const Doubt d = doubt_of(s, doubt.turn, base + doubt.light);
     const real edge = d.discriminant, farther = fma((real)2.0f, doubt.length, d.shift), radius = sqrt(s.r2);
     const int outside = s.power > d.power, inside = s.power < -d.power;
     const realw b = dot_r(s.center, ray.dir), beyond = b - ray.distance;

@@ -19,9 +19,9 @@
 //
 // All of this holds where reals are doubles too: exact tests then accept less, and bounds are floats as before, of
 // which some were rounded once more. These are, in the same units: the radius and the distance of which reach is made,
-// 1 each; the centre, 1; a ray's direction, 1; and, at receivers, the farthest t or distance (at most |f| + r, so 2)
-// or, in a parallel pencil, the place across the light and along it (where a receiver decides, no farther from 0 than
-// |c| + r: 2 for each). Together that is 7, and 37 + 7 < 64.
+// 1 each; the centre, 1; a ray's direction, 1; and the farthest t or distance (at most |f| + r) 2 or, in a parallel
+// pencil, a receiver's coordinates (where they decide no farther from 0 than |c| + r) 2. Together that is 6, and
+// 37 + 6 < 64.
 #ifndef GNOMON_REACH_H
 #define GNOMON_REACH_H
 

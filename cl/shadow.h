@@ -83,11 +83,17 @@ static inline int occlude(PencilSphere s, const ShadowRay* ray, const wholew* id
 // As `occlude`, where that is certain; where it is not, `unsure` says so and the hit stays open.
 static inline int certainly_occlude(PencilSphere s, const ShadowRay* ray, RayDoubt doubt, real base, const wholew* id,
                                     wholew* open, wholew* unsure, realw* share) {
-    wholew changed = 0;
+    const Edge edge = edge_of(s, doubt, base);
+    wholew near[PACKETS], any = 0, changed = 0;
+    FOR_PACKETS(k) {
+        near[k] = open[k] & (id[k] != s.id) & is_near(s, ray[k], edge);
+        any |= near[k];
+    }
+    if (!any_lane(any)) return 0;
     FOR_PACKETS(k) {
         wholew closes, clear;
-        judge_occlusion(s, ray[k], doubt, base, &closes, &clear);
-        const wholew other = open[k] & (id[k] != s.id);
+        judge_occlusion(s, ray[k], doubt, edge, &closes, &clear);
+        const wholew other = near[k];
         unsure[k] |= other & !(closes | clear);
         closes &= other;
         share[k] = closes ? wide(0.0f) : share[k];

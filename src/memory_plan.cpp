@@ -79,7 +79,7 @@ MemoryPlan plan_memory(const MemoryNeeds& n, const MemoryLimits& limits) {
     if (one_buffer_holds && std::min(whole, one_view) <= limits.all) {
         // Smaller tiles would have every pencil's view made again for each.
         const bool views_made_once = tile_rays >= n.image_rays;
-        if (whole <= limits.all && (whole <= one_view || !views_made_once))
+        if (whole <= limits.all && (n.all_views || whole <= one_view || !views_made_once))
             return {false, false, n.spheres, true, n.tile_rays, whole};
         return {true, false, n.spheres, true, tile_rays, one_view};
     }

@@ -20,6 +20,7 @@ struct MemoryNeeds {
     int64_t tile_rays = 0;        ///< of the largest tile, while the scene is not cut
     int64_t asked_tile_rays = 0;  ///< 0: as many as fit
     int64_t tiles_under_way = 1;
+    bool all_views = false;          ///< are needed at once, if they fit
     int64_t film_bytes_per_ray = 0;  ///< of a tile, where the film is read back from the device
     int64_t other_bytes = 0;         ///< whatever else there is
 };

@@ -99,7 +99,8 @@ MemoryPlan share_memory(const Plan& plan, const Scene& scene, const Survey& surv
     needs.tiles_under_way = std::min<int64_t>(tile_sets, static_cast<int64_t>(plan.tiles.size()));
     needs.asked_tile_rays = options.tile;
     needs.film_bytes_per_ray = plan.write_in_place ? 0 : 3 * 4;
-    if (options.accuracy == Accuracy::certified) needs.film_bytes_per_ray += 2 * 4;  // the doubts
+    needs.all_views = options.accuracy == Accuracy::certified;
+    if (needs.all_views) needs.film_bytes_per_ray += 2 * 4;  // the doubts
     // The counts of hits, one a work-group and 4 bytes, and a value for each buffer that a scene does not use.
     constexpr int64_t unused = 1024;
     needs.other_bytes =

@@ -1,6 +1,7 @@
 #include "refine.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "certify.h"
 
@@ -58,10 +59,9 @@ std::vector<int> Refinement::refine(const std::vector<int>& pixels, const std::v
     return undecided;
 }
 
-void Refinement::launch(int variant, cl::Kernel& kernel, int items) {
+void Refinement::launch(const cl::Kernel& kernel, int items) {
     const auto local = static_cast<size_t>(plan_.local_size), groups = (static_cast<size_t>(items) + local - 1) / local;
     cl::Event done;
-    (void)variant;
     queue_.enqueueNDRangeKernel(kernel, cl::NullRange, groups * local, local, &last_, &done);
     last_ = {done};
 }
@@ -73,13 +73,13 @@ void Refinement::trace(const cl::Buffer& places, int first, int count) {
         cl::Kernel kernel = programs_.get(plan_.variants[static_cast<size_t>(step.variant)]).kernel;
         if (step.kernel == Kernel::refine_rays) {
             set_arguments(kernel, scene_.eye, places, first, count, blocks * BLOCK_RAYS, tile_.dirs);
-            launch(step.variant, kernel, blocks * BLOCK_RAYS);
+            launch(kernel, blocks * BLOCK_RAYS);
             continue;
         }
         const SphereBuffers& spheres =
             step.light < 0 ? scene_.spheres : scene_.lights[static_cast<size_t>(step.light)].spheres;
         binder_.bind(kernel, {step, tile, tile_, 0, &spheres});
-        launch(step.variant, kernel, plan_.items(step.kernel, tile));
+        launch(kernel, plan_.items(step.kernel, tile));
     }
     queue_.finish();
     last_.clear();

@@ -1,7 +1,6 @@
 // The pixels that rounding may have decided, computed again in double with the same kernels.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "binder.h"
@@ -21,7 +20,7 @@ class Refinement {
     std::vector<int> refine(const std::vector<int>& pixels, const std::vector<cl::Event>& after);
 
   private:
-    void launch(int variant, cl::Kernel& kernel, int items);
+    void launch(const cl::Kernel& kernel, int items);
     void trace(const cl::Buffer& places, int first, int count);
     void write(const int* pixels, int count, std::vector<int>& undecided);
 

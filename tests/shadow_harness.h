@@ -70,7 +70,7 @@ inline LightSetup brute(LightSetup light) {
 struct HitBuffers {
     GuardedBuffer<float> dirs, ts, normals;
     GuardedBuffer<int> ids;
-    GuardedSpheres spheres;
+    GuardedSpheres<float> spheres;
 
     HitBuffers(Bench& bench, const Receivers& hits, const LightSetup& light)
         : dirs(bench, packed(hits.dirs)),
