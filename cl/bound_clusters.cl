@@ -4,6 +4,7 @@
 // -D PARALLEL=1: rectangles across the light (the clusters are in its basis already); else as `basis` sees them from
 // the apex. One work-item: one node.
 #include "bounds.h"
+#include "cluster.h"
 
 static inline float16 dot_16(Float3 a, float16 x, float16 y, float16 z) {
     return fma((float16)(a.x), x, fma((float16)(a.y), y, (float16)(a.z) * z));
@@ -12,7 +13,7 @@ static inline float16 dot_16(Float3 a, float16 x, float16 y, float16 z) {
 #if PARALLEL
 
 static inline Rectangles rectangles(global const PencilCluster* c, Basis basis) {
-    const float16 x = vload16(0, c->x), y = vload16(0, c->y), z = vload16(0, c->z), reach = vload16(0, c->reach);
+    const float16 x = floats_at(c->x, 0), y = floats_at(c->y, 0), z = floats_at(c->z, 0), reach = vload16(0, c->reach);
     return (Rectangles){x - reach, x + reach, y - reach, y + reach, z + reach};
 }
 
@@ -26,7 +27,7 @@ static inline float16 upper(float16 x, float16 near, float16 far) { return x / (
 // A ball in front has a rectangle, one behind the apex meets no ray of this face, and one that is in both halves may be
 // seen anywhere.
 static inline Rectangles rectangles(global const PencilCluster* c, Basis basis) {
-    const float16 x = vload16(0, c->x), y = vload16(0, c->y), z = vload16(0, c->z), reach = vload16(0, c->reach);
+    const float16 x = floats_at(c->x, 0), y = floats_at(c->y, 0), z = floats_at(c->z, 0), reach = vload16(0, c->reach);
     const float16 p = dot_16(basis.u, x, y, z), q = dot_16(basis.v, x, y, z), s = dot_16(basis.axis, x, y, z);
     const float16 near = s - reach, far = s + reach, infinite = INFINITY;
     const int16 front = near > 0.0f, behind = far < 0.0f;

@@ -6,8 +6,8 @@
 
 // One sphere out of a cluster; the same for all lanes.
 typedef struct {
-    Float3 center;
-    float r2, power;
+    Real3 center;
+    real r2, power;
     int id;
 } PencilSphere;
 
@@ -19,11 +19,11 @@ static inline PencilSphere sphere_of(global const PencilCluster* c, int i) {
 // decides whether a line meets it: see sphere.h.
 static inline int looks_small(PencilSphere s) { return s.r2 < s.power; }
 
-// The position of the lowest bit set.
-static inline int lowest_bit(int mask) { return 31 - clz(mask & -mask); }
-
 // LANES neighbouring values.
 static inline floatw lanes_at(global const float* values, int first) { return *(global const floatw*)(values + first); }
+static inline floatw floats_at(global const real* values, int first) {
+    return floats_of(*(global const realw*)(values + first));
+}
 static inline intw ids_at(global const int* values, int first) { return *(global const intw*)(values + first); }
 
 // The places that hold a sphere, as bits.

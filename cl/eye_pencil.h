@@ -19,20 +19,23 @@ static inline Pixel first_pixel(Tile tile, int item, int k) {
                    tile.y + (int)(row * BLOCK_SIDE + inside / BLOCK_SIDE)};
 }
 
-// Twice the distance from the image's middle, in pixels: whole numbers below 2^24, so exact as floats.
+// Twice the distance from the image's middle, in pixels: whole numbers below 2^24, so exact as reals.
 #define RIGHT_OF(eye, i) (2 * (i) + 1 - (eye).width)
 #define UP_OF(eye, j) ((eye).height - 1 - 2 * (j))
 
-// The directions of packet k. Pixels outside the image get NaN, which meets nothing, because every comparison with it
-// is false.
+// The unit directions of pixels.
+static inline vec3w eye_ray(EyePencil eye, intw i, intw j) {
+    const realw right = convert_realw(RIGHT_OF(eye, i)), up = convert_realw(UP_OF(eye, j));
+    const vec3w along = fma_w(right, broadcast(eye.right), fma_w(up, broadcast(eye.up), broadcast(eye.forward)));
+    return scale_w(divide(wide(1.0f), square_root(dot_w(along, along))), along);
+}
+
+// Those of packet k. Pixels outside the image get NaN, which meets nothing, because every comparison with it is false.
 static inline vec3w eye_rays(EyePencil eye, Tile tile, int item, int k) {
     const Pixel first = first_pixel(tile, item, k);
     const intw i = first.i + LANE_INDEX % BLOCK_SIDE, j = first.j + LANE_INDEX / BLOCK_SIDE;
-    const floatw right = to_floatw(RIGHT_OF(eye, i)), up = to_floatw(UP_OF(eye, j));
-    const vec3w along = fma_w(right, broadcast(eye.right), fma_w(up, broadcast(eye.up), broadcast(eye.forward)));
-    const floatw scale = divide(wide(1.0f), square_root(dot_w(along, along)));
     const intw inside = (i < eye.width) & (j < eye.height);
-    return scale_w(inside ? scale : wide(NAN), along);
+    return select_w(wholes_of(inside), eye_ray(eye, i, j), broadcast((Real3){NAN, NAN, NAN}));
 }
 
 static inline float dot_3(Float3 a, Float3 b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
@@ -41,11 +44,12 @@ static inline float dot_3(Float3 a, Float3 b) { return fma(a.x, b.x, fma(a.y, b.
 // and height, and no ray need be there where nothing is to be met. A ray is turned against its pixel by less than 5 u:
 // sqrt(3) u for eye's vectors, 2 for the two fma, 1 for the last product. A pixel's width is off by 5 u, 3 of them the
 // dot product's and 1 a vector, and the product by 1, which turns by half of that at most. Together that is less than
-// the 11 u for X and Y in reach.h.
+// the 11 u for X and Y in reach.h. (Rays of doubles are turned by next to nothing; here, eye's vectors are then
+// rounded.)
 static inline FatRay eye_fat_ray(EyePencil eye, Tile tile, int item, Basis basis) {
     const int rays = LANES * PACKETS, columns = min(rays, BLOCK_SIDE), rows = (rays + BLOCK_SIDE - 1) / BLOCK_SIDE;
     const Pixel first = first_pixel(tile, item, 0);
-    const float pixel_x = dot_3(eye.right, basis.u), pixel_y = dot_3(eye.up, basis.v);
+    const float pixel_x = dot_3(float3_of(eye.right), basis.u), pixel_y = dot_3(float3_of(eye.up), basis.v);
     return fat_ray_between(
         pixel_x * (float)RIGHT_OF(eye, first.i), pixel_x * (float)RIGHT_OF(eye, first.i + columns - 1),
         pixel_y * (float)UP_OF(eye, first.j + rows - 1), pixel_y * (float)UP_OF(eye, first.j), basis);

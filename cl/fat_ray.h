@@ -34,19 +34,21 @@ static inline FatRay fat_ray_between(float x0, float x1, float y0, float y1, Bas
 }
 
 // `open` says which of the rays count. Where one is not on the axis's side the rectangle is the whole plane.
-static inline FatRay fat_ray(const vec3w* dir, const intw* open, Basis basis) {
+static inline FatRay fat_ray(const vec3w* dir, const wholew* open, Basis basis) {
 #if WALK == WALK_SPHERES
     return (FatRay){0};  // nobody looks at it
 #else
-    floatw x0 = wide(INFINITY), x1 = -x0, y0 = x0, y1 = -x0, ahead = x0;
+    floatw x0 = wide_float(INFINITY), x1 = -x0, y0 = x0, y1 = -x0, ahead = x0;
     FOR_PACKETS(k) {
-        const floatw along = dot_f(basis.axis, dir[k]), scale = wide(1.0f) / along;
-        const floatw x = dot_f(basis.u, dir[k]) * scale, y = dot_f(basis.v, dir[k]) * scale;
-        x0 = LESS(open[k] ? x : x0, x0);
-        x1 = MORE(open[k] ? x : x1, x1);
-        y0 = LESS(open[k] ? y : y0, y0);
-        y1 = MORE(open[k] ? y : y1, y1);
-        ahead = LESS(open[k] ? along : ahead, ahead);
+        const float3w d = floats_of_3(dir[k]);
+        const intw counts = ints_of(open[k]);
+        const floatw along = dot_f(basis.axis, d), scale = wide_float(1.0f) / along;
+        const floatw x = dot_f(basis.u, d) * scale, y = dot_f(basis.v, d) * scale;
+        x0 = LESS(counts ? x : x0, x0);
+        x1 = MORE(counts ? x : x1, x1);
+        y0 = LESS(counts ? y : y0, y0);
+        y1 = MORE(counts ? y : y1, y1);
+        ahead = LESS(counts ? along : ahead, ahead);
     }
     if (!(REDUCE(least, ahead) > 0.0f)) return fat_ray_between(-INFINITY, INFINITY, -INFINITY, INFINITY, basis);
     return fat_ray_between(REDUCE(least, x0), REDUCE(most, x1), REDUCE(least, y0), REDUCE(most, y1), basis);
@@ -61,7 +63,7 @@ static inline int candidates(FatRay fat, global const PencilCluster* c) {
 #endif
     int kept = 0;
     for (int first = 0; first < CLUSTER; first += LANES) {
-        const vec3w f = {lanes_at(c->x, first), lanes_at(c->y, first), lanes_at(c->z, first)};
+        const float3w f = {floats_at(c->x, first), floats_at(c->y, first), floats_at(c->z, first)};
         const floatw reach = lanes_at(c->reach, first);
         const floatw a = dot_f(fat.plane[0], f), b = dot_f(fat.plane[1], f);
         const floatw d = dot_f(fat.plane[2], f), e = dot_f(fat.plane[3], f);

@@ -1,10 +1,10 @@
 // generate_rays: pixel centres -> unit directions of the eye's pencil.
 //
-// Reads nothing. Writes dirs (3 floats a ray, block order), NaN for pixels outside the image. One work-item: PACKETS *
+// Reads nothing. Writes dirs (3 reals a ray, block order), NaN for pixels outside the image. One work-item: PACKETS *
 // LANES neighbouring rays of a block.
 #include "eye_pencil.h"
 
-kernel void generate_rays(const EyePencil eye, const Tile tile, const int items, global float* restrict dirs) {
+kernel void generate_rays(const EyePencil eye, const Tile tile, const int items, global real* restrict dirs) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
     FOR_PACKETS(k) store_3(eye_rays(eye, tile, item, k), dirs, item, k);

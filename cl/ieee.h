@@ -1,9 +1,10 @@
-// Divide and square root, correctly rounded on every device.
+// Divide and square root of reals, correctly rounded on every device; with -D FAST=1 as the device has them.
 #ifndef GNOMON_IEEE_H
 #define GNOMON_IEEE_H
 
 #include "lanes.h"
 
+#if !REAL_IS_DOUBLE
 // From a quotient or root that is a few ulp off (OpenCL C 1.2, table 7.1: 2.5 ulp for x / y, 3 for sqrt) to the
 // correctly rounded one. Operands and results must be normal numbers away from the ends of the range.
 //
@@ -26,9 +27,12 @@ static inline floatw correct_root(floatw a, floatw s, floatw half_reciprocal) {
     return is_below ? below : nearest;
 }
 
-#ifdef CORRECTLY_ROUNDED
-static inline floatw divide(floatw a, floatw b) { return a / b; }
-static inline floatw square_root(floatw a) { return sqrt(a); }
+#endif
+
+// Doubles are rounded correctly by every device that has them (OpenCL C 1.2, 7.4).
+#if REAL_IS_DOUBLE || FAST || defined(CORRECTLY_ROUNDED)
+static inline realw divide(realw a, realw b) { return a / b; }
+static inline realw square_root(realw a) { return sqrt(a); }
 #else
 static inline floatw divide(floatw a, floatw b) {
     const floatw q = a / b;

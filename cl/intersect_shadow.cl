@@ -7,21 +7,21 @@
 // their fat ray may meet.
 #include "shadow.h"
 
-kernel void intersect_shadow(global const float* restrict dirs, global const float* restrict ts,
-                             global const float* restrict normals, global const int* restrict ids,
+kernel void intersect_shadow(global const real* restrict dirs, global const real* restrict ts,
+                             global const real* restrict normals, global const int* restrict ids,
                              global const PencilCluster* restrict clusters, global const Node* restrict nodes,
                              const int levels, const int last, const int first_chunk, const float group_depth,
-                             const LightPencil light, const int items, global float* restrict arrival) {
+                             const LightPencil light, const int items, global real* restrict arrival) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
-    floatw share[PACKETS];
+    realw share[PACKETS];
     const Hierarchy hierarchy = {clusters, nodes, levels, last};
     const Hits hits = {dirs, ts, normals, ids};
 #if CHUNKS
-    FOR_PACKETS(k) share[k] = first_chunk ? unshadowed(hits, light, item, k) : load_f(arrival, item, k);
+    FOR_PACKETS(k) share[k] = first_chunk ? unshadowed(hits, light, item, k) : load_r(arrival, item, k);
 #else
     FOR_PACKETS(k) share[k] = unshadowed(hits, light, item, k);
 #endif
-    trace_shadows(hits, hierarchy, light, group_depth, item, share);
-    FOR_PACKETS(k) store_f(share[k], arrival, item, k);
+    trace_shadows(hits, hierarchy, light, group_depth, item, share, 0, 0);
+    FOR_PACKETS(k) store_r(share[k], arrival, item, k);
 }

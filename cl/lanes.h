@@ -1,14 +1,25 @@
-// The lane type: kernels are written once over floatw and intw, LANES values wide (1, 4, 8 or 16, set with -D), PACKETS
-// of them a work-item. Every operation acts on each lane alone, so the bits do not depend on either number.
+// The lane types: kernels are written once over realw, floatw and their masks, LANES values wide (1, 4, 8 or 16, set
+// with -D), PACKETS of them a work-item. Every operation acts on each lane alone, so the bits do not depend on either
+// number.
+//
+// Rays and spheres are reals (real.h). Bounds are floats always, with masks and ids of 32 bits: floatw, intw. Where
+// reals are doubles, masks of reals are as wide as these, and so are ids beside them: wholew. Where reals are floats
+// both pairs are one, and what converts between them does nothing.
 //
 // A comparison gives 1 for true when LANES is 1 and -1 when it is more; masks are therefore only ever combined with &
-// and |, negated with !, and used by `mask ? a : b`, which reads both alike.
+// and |, negated with !, and used by `mask ? a : b`, which reads both alike. Literals are floats: they widen by
+// themselves.
 #ifndef GNOMON_LANES_H
 #define GNOMON_LANES_H
 
 #include "types.h"
 
+// -D FAST=1: a * b + c may be rounded once.
+#if FAST
+#pragma OPENCL FP_CONTRACT ON
+#else
 #pragma OPENCL FP_CONTRACT OFF
+#endif
 
 #define CONCAT_(a, b) a##b
 #define CONCAT(a, b) CONCAT_(a, b)
@@ -16,14 +27,24 @@
 #if LANES == 1
 typedef float floatw;
 typedef int intw;
+typedef real realw;
+typedef int wholew;  // comparisons of scalars give int
 #define LANE_INDEX 0
-#define to_floatw(i) ((float)(i))
+#define convert_floatw (float)
+#define convert_intw (int)
+#define convert_realw (real)
+#define convert_wholew (int)
 #define as_floatw as_float
 #define as_intw as_int
 #else
 typedef CONCAT(float, LANES) floatw;
 typedef CONCAT(int, LANES) intw;
-#define to_floatw CONCAT(convert_float, LANES)
+typedef CONCAT(REAL, LANES) realw;
+typedef CONCAT(WHOLE, LANES) wholew;
+#define convert_floatw CONCAT(convert_float, LANES)
+#define convert_intw CONCAT(convert_int, LANES)
+#define convert_realw CONCAT(convert_, CONCAT(REAL, LANES))
+#define convert_wholew CONCAT(convert_, CONCAT(WHOLE, LANES))
 #define as_floatw CONCAT(as_float, LANES)
 #define as_intw CONCAT(as_int, LANES)
 #if LANES == 4
@@ -37,8 +58,20 @@ typedef CONCAT(int, LANES) intw;
 #endif
 #endif
 
-#define wide(x) ((floatw)(x))
+#define wide(x) ((realw)(x))
+#define wide_float(x) ((floatw)(x))
 #define FOR_PACKETS(k) _Pragma("unroll") for (int k = 0; k < PACKETS; ++k)
+
+// Between the two pairs of types.
+#if REAL_IS_DOUBLE
+#define floats_of(v) convert_floatw(v)
+#define ints_of(v) convert_intw(v)
+#define wholes_of(v) convert_wholew(v)
+#else
+#define floats_of(v) (v)
+#define ints_of(v) (v)
+#define wholes_of(v) (v)
+#endif
 
 // Reductions over the lanes, by halves: the any() builtin, and horizontal builtins in general, compile to scalar code
 // on PoCL.
@@ -64,37 +97,51 @@ REDUCE_BY_HALVES(most, float, MORE)
 #define REDUCE(name, v) CONCAT(name##_of_, LANES)(v)
 #endif
 
-// Whether a mask has any lane, and its lanes as bits. Where clang compiles for the CPU itself, one instruction (from a
-// mask register) or a horizontal builtin takes the place of the halves; by way of SPIR-V neither has a translation.
+// A mask of bounds as bits, and whether a mask of reals has any lane. Where clang compiles for the CPU itself, one
+// instruction (from a mask register) or a horizontal builtin takes the place of the halves; by way of SPIR-V neither
+// has a translation.
 #if CLANG_TO_MACHINE && LANES == 16 && defined(__AVX512DQ__)
 static inline int lane_bits(intw mask) { return (ushort)__builtin_ia32_cvtd2mask512(mask); }
-static inline int any_lane(intw mask) { return lane_bits(mask); }
+static inline int any_lane(wholew mask) { return lane_bits(ints_of(mask)); }
 #else
 static inline int lane_bits(intw mask) { return REDUCE(or, mask & ((intw)(1) << LANE_INDEX)); }
 #if CLANG_TO_MACHINE && LANES > 1
-static inline int any_lane(intw mask) { return __builtin_reduce_or(mask); }
+static inline int any_lane(wholew mask) { return __builtin_reduce_or(mask) != 0; }
 #else
-static inline int any_lane(intw mask) { return REDUCE(or, mask); }
+static inline int any_lane(wholew mask) { return REDUCE(or, ints_of(mask)); }
 #endif
 #endif
+
+// The position of the lowest bit set.
+static inline int lowest_bit(int mask) { return 31 - clz(mask & -mask); }
 
 // Three components of LANES rays.
 typedef struct {
-    floatw x, y, z;
+    realw x, y, z;
 } vec3w;
 
 // Sums of three products in one fixed order, two roundings fewer than without fma.
-static inline floatw dot_w(vec3w a, vec3w b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
-static inline floatw dot_f(Float3 a, vec3w b) { return fma(wide(a.x), b.x, fma(wide(a.y), b.y, wide(a.z) * b.z)); }
+static inline realw dot_w(vec3w a, vec3w b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
+static inline realw dot_r(Real3 a, vec3w b) { return fma(wide(a.x), b.x, fma(wide(a.y), b.y, wide(a.z) * b.z)); }
 // s a, and s a + b, one rounding a component.
-static inline vec3w scale_w(floatw s, vec3w a) { return (vec3w){s * a.x, s * a.y, s * a.z}; }
-static inline vec3w fma_w(floatw s, vec3w a, vec3w b) {
+static inline vec3w scale_w(realw s, vec3w a) { return (vec3w){s * a.x, s * a.y, s * a.z}; }
+static inline vec3w fma_w(realw s, vec3w a, vec3w b) {
     return (vec3w){fma(s, a.x, b.x), fma(s, a.y, b.y), fma(s, a.z, b.z)};
 }
-static inline vec3w broadcast(Float3 a) { return (vec3w){wide(a.x), wide(a.y), wide(a.z)}; }
-static inline vec3w select_w(intw mask, vec3w a, vec3w b) {
+static inline vec3w broadcast(Real3 a) { return (vec3w){wide(a.x), wide(a.y), wide(a.z)}; }
+static inline vec3w select_w(wholew mask, vec3w a, vec3w b) {
     return (vec3w){mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
 }
+
+// The same for bounds.
+typedef struct {
+    floatw x, y, z;
+} float3w;
+static inline float3w floats_of_3(vec3w a) { return (float3w){floats_of(a.x), floats_of(a.y), floats_of(a.z)}; }
+static inline floatw dot_f(Float3 a, float3w b) {
+    return fma(wide_float(a.x), b.x, fma(wide_float(a.y), b.y, wide_float(a.z) * b.z));
+}
+static inline Float3 float3_of(Real3 a) { return (Float3){(float)a.x, (float)a.y, (float)a.z}; }
 
 // Where packet k of work-item `item` finds component c of n in a block-ordered buffer. Unsigned, so that dividing by
 // powers of two is shifting.
@@ -103,27 +150,31 @@ static inline size_t lane_address(int item, int k, int c, int n) {
     return (size_t)(first / BLOCK_RAYS * (uint)n + (uint)c) * BLOCK_RAYS + first % BLOCK_RAYS + (uint)(k * LANES);
 }
 
-static inline floatw load_f(global const float* p, int item, int k) {
-    return *(global const floatw*)(p + lane_address(item, k, 0, 1));
+static inline realw load_r(global const real* p, int item, int k) {
+    return *(global const realw*)(p + lane_address(item, k, 0, 1));
 }
-static inline intw load_i(global const int* p, int item, int k) {
-    return *(global const intw*)(p + lane_address(item, k, 0, 1));
+static inline wholew load_i(global const int* p, int item, int k) {
+    return wholes_of(*(global const intw*)(p + lane_address(item, k, 0, 1)));
 }
-static inline vec3w load_3(global const float* p, int item, int k) {
-    return (vec3w){*(global const floatw*)(p + lane_address(item, k, 0, 3)),
-                   *(global const floatw*)(p + lane_address(item, k, 1, 3)),
-                   *(global const floatw*)(p + lane_address(item, k, 2, 3))};
+static inline vec3w load_3(global const real* p, int item, int k) {
+    return (vec3w){*(global const realw*)(p + lane_address(item, k, 0, 3)),
+                   *(global const realw*)(p + lane_address(item, k, 1, 3)),
+                   *(global const realw*)(p + lane_address(item, k, 2, 3))};
 }
-static inline void store_f(floatw v, global float* p, int item, int k) {
-    *(global floatw*)(p + lane_address(item, k, 0, 1)) = v;
+static inline void store_r(realw v, global real* p, int item, int k) {
+    *(global realw*)(p + lane_address(item, k, 0, 1)) = v;
 }
-static inline void store_i(intw v, global int* p, int item, int k) {
-    *(global intw*)(p + lane_address(item, k, 0, 1)) = v;
+static inline void store_2(realw x, realw y, global real* p, int item, int k) {
+    *(global realw*)(p + lane_address(item, k, 0, 2)) = x;
+    *(global realw*)(p + lane_address(item, k, 1, 2)) = y;
 }
-static inline void store_3(vec3w v, global float* p, int item, int k) {
-    *(global floatw*)(p + lane_address(item, k, 0, 3)) = v.x;
-    *(global floatw*)(p + lane_address(item, k, 1, 3)) = v.y;
-    *(global floatw*)(p + lane_address(item, k, 2, 3)) = v.z;
+static inline void store_i(wholew v, global int* p, int item, int k) {
+    *(global intw*)(p + lane_address(item, k, 0, 1)) = ints_of(v);
+}
+static inline void store_3(vec3w v, global real* p, int item, int k) {
+    *(global realw*)(p + lane_address(item, k, 0, 3)) = v.x;
+    *(global realw*)(p + lane_address(item, k, 1, 3)) = v.y;
+    *(global realw*)(p + lane_address(item, k, 2, 3)) = v.z;
 }
 
 #endif

@@ -4,6 +4,7 @@
 #ifndef GNOMON_PARALLEL_PENCIL_H
 #define GNOMON_PARALLEL_PENCIL_H
 
+#include "certify.h"
 #include "cluster.h"
 #include "ieee.h"
 
@@ -11,20 +12,17 @@ typedef ParallelPencil LightPencil;
 
 // What a receiver's shadow ray shares among all spheres.
 typedef struct {
-    vec3w from;      // the receiver in the basis
-    floatw squared;  // its squared distance from the eye
+    vec3w from;     // the receiver in the basis
+    realw squared;  // its squared distance from the eye
 } ShadowRay;
 
 static inline ShadowRay shadow_ray(LightPencil light, vec3w position) {
-    const vec3w from = {dot_f(light.basis.u, position), dot_f(light.basis.v, position),
-                        dot_f(light.basis.axis, position)};
+    const vec3w from = {dot_r(light.u, position), dot_r(light.v, position), dot_r(light.axis, position)};
     return (ShadowRay){from, dot_w(from, from)};
 }
 
 // n . l, the share of the light's irradiance that arrives: > 0 where the surface faces the light.
-static inline floatw arriving(LightPencil light, vec3w position, vec3w normal) {
-    return dot_f(light.basis.axis, normal);
-}
+static inline realw arriving(LightPencil light, vec3w position, vec3w normal) { return dot_r(light.axis, normal); }
 
 // Whether the sphere meets the ray at any t > 0, that is: its line comes closer than the radius, and the farther root
 // ahead + sqrt(D) is > 0, with `ahead` the way along the axis from the receiver p to the foot of the centre c.
@@ -32,16 +30,71 @@ static inline floatw arriving(LightPencil light, vec3w position, vec3w normal) {
 //   The receiver's own power |c - p|^2 - r^2 = C - 2 c . p + |p|^2 = ahead^2 - D says on which side of the surface it
 //   is (see sphere.h). Its error is a few u |p| (|p| + |c|): less for a sphere that looks large (|c| < 1.5 r) where |p|
 //   < r.
-static inline intw occludes(PencilSphere s, ShadowRay ray) {
-    const floatw ahead = wide(s.center.z) - ray.from.z;
-    const floatw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
-    const floatw discriminant = fma(-x, x, fma(-y, y, wide(s.r2)));
-    const intw by_disc = (discriminant >= 0.0f) & ((ahead > 0.0f) | (ahead * ahead < discriminant));
+static inline wholew occludes(PencilSphere s, ShadowRay ray) {
+    const realw ahead = wide(s.center.z) - ray.from.z;
+    const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
+    const realw discriminant = fma(-x, x, fma(-y, y, wide(s.r2)));
+    const wholew by_disc = (discriminant >= 0.0f) & ((ahead > 0.0f) | (ahead * ahead < discriminant));
     if (looks_small(s)) return by_disc;
-    const floatw power = wide(s.power) + fma(wide(-2.0f), dot_f(s.center, ray.from), ray.squared);
-    const intw by_power = (power < 0.0f) | ((ahead > 0.0f) & (fma(ahead, ahead, -power) >= 0.0f));
+    const realw power = wide(s.power) + fma(wide(-2.0f), dot_r(s.center, ray.from), ray.squared);
+    const wholew by_power = (power < 0.0f) | ((ahead > 0.0f) & (fma(ahead, ahead, -power) >= 0.0f));
     return ray.squared < wide(s.r2) ? by_power : by_disc;
 }
+
+#if CERTIFIED
+
+// How far the receivers of a work-item may be off, as this pencil has them.
+typedef struct {
+    real shift;
+} RayDoubt;
+typedef Doubt Edge;
+
+// `position` is the most that one is off. Its coordinates in the basis: the basis is turned by up to 2 u, three dot
+// products of 3 u; together with the sphere's, 12 u |c| in doubt_of, 12 u |p|.
+static inline RayDoubt ray_doubt(LightPencil light, real position, real farthest, real shortest, real longest,
+                                 real base) {
+    return (RayDoubt){fma(12 * ROUNDING, farthest, position) + base};
+}
+
+// Nothing here depends on how far the light is.
+static inline realw way_of(ShadowRay ray) { return wide(INFINITY); }
+
+// A sphere's edge: D is off by no more, wherever it is near 0 or above.
+static inline Edge edge_of(PencilSphere s, RayDoubt doubt, real base) {
+    const real distance = fabs(s.center.x) + fabs(s.center.y) + fabs(s.center.z);
+    const real shift = 12 * ROUNDING * distance + doubt.shift + base;
+    return (Edge){shift, (2 * sqrt(s.r2) + 3 * shift) * shift + 12 * ROUNDING * s.r2, 0};
+}
+
+// Where the sphere is not surely passed.
+static inline wholew is_near(PencilSphere s, ShadowRay ray, Edge edge) {
+    const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
+    return !(fma(-x, x, fma(-y, y, wide(s.r2))) < -edge.discriminant);
+}
+
+// Where it surely occludes the ray, and where it surely does not.
+static inline void judge_occlusion(PencilSphere s, ShadowRay ray, RayDoubt doubt, Edge edge, wholew* closes,
+                                   wholew* clear) {
+    const realw ahead = wide(s.center.z) - ray.from.z;
+    const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
+    const realw discriminant = fma(-x, x, fma(-y, y, wide(s.r2)));
+    // The receiver's power: next to the surface |ahead| <= r, and it is off by as much again.
+    const realw power = fma(ahead, ahead, -discriminant);
+    const real e = edge.discriminant;
+    *closes = (discriminant > e) & ((ahead > edge.shift) | (power < -2 * e));
+    *clear = (discriminant < -e) | ((ahead < -edge.shift) & (power > 2 * e));
+}
+
+// Where the surface surely faces the light, or surely does not: n . l is off by the normal's doubt, l's turn and the
+// dot product's 3 u.
+static inline void judge_facing(LightPencil light, vec3w position, vec3w normal, realw t, realw off, realw turned,
+                                real base, wholew* faces, wholew* averted) {
+    const realw cosine = dot_r(light.axis, normal), edge = turned + 8 * ROUNDING;
+    *faces = cosine > edge;
+    *averted = cosine < -edge;
+}
+
+#endif
 
 // All shadow rays of a work-item: across the light no wider than this rectangle, and none starts behind `back`.
 typedef struct {
@@ -49,21 +102,22 @@ typedef struct {
 } FatShadowRay;
 
 // The face (point_pencil.h) from which the rays are told apart: here there is but one.
-static inline int face_of(LightPencil light, const ShadowRay* ray, const intw* open) { return 0; }
+static inline int face_of(LightPencil light, const ShadowRay* ray, const wholew* open) { return 0; }
 
 // `open` says which of the rays count.
-static inline FatShadowRay fat_shadow_ray(LightPencil light, int face, const ShadowRay* ray, const intw* open) {
+static inline FatShadowRay fat_shadow_ray(LightPencil light, int face, const ShadowRay* ray, const wholew* open) {
 #if WALK == WALK_SPHERES
     return (FatShadowRay){0};  // nobody looks at it
 #endif
-    floatw x0 = wide(INFINITY), x1 = -x0, y0 = x0, y1 = -x0, back = x0;
+    floatw x0 = wide_float(INFINITY), x1 = -x0, y0 = x0, y1 = -x0, back = x0;
     FOR_PACKETS(k) {
-        const vec3w from = ray[k].from;
-        x0 = LESS(open[k] ? from.x : x0, x0);
-        x1 = MORE(open[k] ? from.x : x1, x1);
-        y0 = LESS(open[k] ? from.y : y0, y0);
-        y1 = MORE(open[k] ? from.y : y1, y1);
-        back = LESS(open[k] ? from.z : back, back);
+        const float3w from = floats_of_3(ray[k].from);
+        const intw counts = ints_of(open[k]);
+        x0 = LESS(counts ? from.x : x0, x0);
+        x1 = MORE(counts ? from.x : x1, x1);
+        y0 = LESS(counts ? from.y : y0, y0);
+        y1 = MORE(counts ? from.y : y1, y1);
+        back = LESS(counts ? from.z : back, back);
     }
     return (FatShadowRay){REDUCE(least, x0), REDUCE(most, x1), REDUCE(least, y0), REDUCE(most, y1),
                           REDUCE(least, back)};
@@ -76,7 +130,7 @@ static inline int shadow_candidates(FatShadowRay fat, global const PencilCluster
 #endif
     int kept = 0;
     for (int first = 0; first < CLUSTER; first += LANES) {
-        const floatw x = lanes_at(c->x, first), y = lanes_at(c->y, first), z = lanes_at(c->z, first);
+        const floatw x = floats_at(c->x, first), y = floats_at(c->y, first), z = floats_at(c->z, first);
         const floatw reach = lanes_at(c->reach, first);
         const intw misses = (x - reach > fat.x1) | (x + reach < fat.x0) | (y - reach > fat.y1) | (y + reach < fat.y0) |
                             (z + reach < fat.back);
@@ -96,5 +150,13 @@ static inline int shadow_node_candidates(FatShadowRay fat, global const Node* n)
     }
     return kept;
 }
+
+#if CERTIFIED
+// Wide enough for rays that are as far off as `doubt` says.
+static inline FatShadowRay widened(FatShadowRay fat, LightPencil light, int face, RayDoubt doubt) {
+    const float shift = (float)doubt.shift;
+    return (FatShadowRay){fat.x0 - shift, fat.x1 + shift, fat.y0 - shift, fat.y1 + shift, fat.back - shift};
+}
+#endif
 
 #endif

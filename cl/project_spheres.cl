@@ -4,7 +4,7 @@
 // touched). Writes for each place centre, reach, r^2, power and id: types.h. -D PARALLEL=1: in the light's basis, from
 // the eye, which is then the apex; else from the apex. One work-item: one cluster.
 #include "reach.h"
-#include "two_float.h"
+#include "two_reals.h"
 
 kernel void project_spheres(global const Cluster* restrict clusters, global const ClusterRest* restrict rests,
                             const Apex apex, const ParallelPencil light, const int items,
@@ -13,29 +13,31 @@ kernel void project_spheres(global const Cluster* restrict clusters, global cons
     if (item >= items) return;
     global const Cluster* c = clusters + item;
     global PencilCluster* to = seen + item;
-    const float16 none = 0.0f, radius = vload16(0, c->radius);
-    const int16 id = vload16(0, c->id), empty = id < 0;
+    const int16 id = vload16(0, c->id);
+    const wholes16 empty = wholes_of_16(id < 0);
 #if RESTS
     global const ClusterRest* rest = rests + item;
     const float16 x_rest = vload16(0, rest->x), y_rest = vload16(0, rest->y), z_rest = vload16(0, rest->z);
     const float16 radius_rest = vload16(0, rest->radius);
 #else
-    const float16 x_rest = none, y_rest = none, z_rest = none, radius_rest = none;
+    const float16 x_rest = 0.0f, y_rest = x_rest, z_rest = x_rest, radius_rest = x_rest;
 #endif
-    const TwoFloat3 f = {two_difference(vload16(0, c->x), x_rest, apex.hi.x, apex.lo.x),
-                         two_difference(vload16(0, c->y), y_rest, apex.hi.y, apex.lo.y),
-                         two_difference(vload16(0, c->z), z_rest, apex.hi.z, apex.lo.z)};
+    const TwoReals radius = number_of(vload16(0, c->radius), radius_rest);
+    const TwoReals3 f = {two_difference(number_of(vload16(0, c->x), x_rest), apex.hi.x, apex.lo.x),
+                         two_difference(number_of(vload16(0, c->y), y_rest), apex.hi.y, apex.lo.y),
+                         two_difference(number_of(vload16(0, c->z), z_rest), apex.hi.z, apex.lo.z)};
 #if PARALLEL
-    const float16 x = along(light.basis.u, f), y = along(light.basis.v, f), z = along(light.basis.axis, f);
+    const real16 x = along(light.u, f), y = along(light.v, f), z = along(light.axis, f);
 #else
-    const float16 x = f.x.hi, y = f.y.hi, z = f.z.hi;
+    const real16 x = f.x.hi, y = f.y.hi, z = f.z.hi;
 #endif
-    const float16 distance = sqrt(fma(x, x, fma(y, y, z * z)));
+    const real16 distance = sqrt(fma(x, x, fma(y, y, z * z)));
+    const float16 reach = reach_of(floats_of_16(radius.hi), floats_of_16(distance));
     vstore16(x, 0, to->x);
     vstore16(y, 0, to->y);
     vstore16(z, 0, to->z);
-    vstore16(empty ? (float16)(-INFINITY) : reach_of(radius, distance), 0, to->reach);
-    vstore16(empty ? (float16)(-INFINITY) : fma(radius, radius, 2.0f * radius * radius_rest), 0, to->r2);
-    vstore16(empty ? (float16)(INFINITY) : power_of(f, radius, radius_rest), 0, to->power);
+    vstore16(id < 0 ? (float16)(-INFINITY) : reach, 0, to->reach);
+    vstore16(empty ? (real16)(-INFINITY) : fma(radius.hi, radius.hi, 2.0f * radius.hi * radius.lo), 0, to->r2);
+    vstore16(empty ? (real16)(INFINITY) : power_of(f, radius), 0, to->power);
     vstore16(id, 0, to->id);
 }

@@ -16,6 +16,12 @@
 // Together 37 < 64: reach = r + 2^-18 max(|f|, r) leaves room for the roundings of |f| and of reach itself. Spheres
 // with |f| < r hold the apex; seen from there nothing is farther than 2 r, and the same holds with r for |f|.
 // In a parallel pencil occludes() accepts rays that pass at most 8 u max(|c|, r) outside, and the sums round once.
+//
+// All of this holds where reals are doubles too: exact tests then accept less, and bounds are floats as before, of
+// which some were rounded once more. These are, in the same units: the radius and the distance of which reach is made,
+// 1 each; the centre, 1; a ray's direction, 1; and the farthest t or distance (at most |f| + r) 2 or, in a parallel
+// pencil, a receiver's coordinates (where they decide no farther from 0 than |c| + r) 2. Together that is 6, and
+// 37 + 6 < 64.
 #ifndef GNOMON_REACH_H
 #define GNOMON_REACH_H
 

@@ -1,10 +1,11 @@
 // resolve: from block order to rows.
 //
-// Reads blocks (`components` values a ray). Writes component c to rows of plane c (planes above `components` are not
-// touched). One work-item: one row of two neighbouring blocks, 16 pixels, which is a cache line.
+// Reads blocks (`components` values a ray: words or, with -D REAL_IS_DOUBLE=1, doubles, which become floats). Writes
+// component c to rows of plane c (planes above `components` are not touched). One work-item: one row of two
+// neighbouring blocks, 16 pixels, which is a cache line.
 #include "resolve.h"
 
-kernel void resolve(global const int* restrict blocks, const int components, const Tile tile, const Planes planes,
+kernel void resolve(global const word* restrict blocks, const int components, const Tile tile, const Planes planes,
                     const int items, global int* plane0, global int* plane1, global int* plane2) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;

@@ -6,7 +6,8 @@
 // / pi (directional) or power / (4 pi^2) (point). Adds to radiance (3 a ray, block order), or sets it for the first
 // light. Albedos are those of ids or, with -D ALBEDOS_OF_RAYS=1, of the rays in their order. With -D RESOLVES=1 the
 // last light's launch resolves the radiance too, as `resolve` would, group by group while it is in the caches; groups
-// then have whole blocks. One work-item: PACKETS * LANES neighbouring rays.
+// then have whole blocks. With -D CERTIFIED=1 hits of which rounding may decide whether they are lit are left undecided
+// in doubts (intersect_closest). One work-item: PACKETS * LANES neighbouring rays.
 #include "resolve.h"
 #include "shadow.h"
 
@@ -17,30 +18,39 @@ typedef struct {
 
 // Those of the ids of packet k, by a loop over the distinct ones, of which neighbours have few: gathers are slower, and
 // so is finding the next id in a register.
-static inline vec3w albedo_of(Albedos albedos, global const int* ids, int item, int k, intw wanted) {
-    const intw id = load_i(ids, item, k);
+static inline vec3w albedo_of(Albedos albedos, global const int* ids, int item, int k, wholew wanted) {
+    const wholew id = load_i(ids, item, k);
     vec3w albedo = {wide(0.0f), wide(0.0f), wide(0.0f)};
-    for (int rest = lane_bits(wanted); rest;) {
+    for (int rest = lane_bits(ints_of(wanted)); rest;) {
         const int next = ids[lane_address(item, k, 0, 1) + (size_t)lowest_bit(rest)];
-        const intw same = id == next;
+        const wholew same = id == next;
         const float3 found = vload3(0, albedos.values + (size_t)next * albedos.stride);
-        albedo = select_w(same, broadcast((Float3){found.x, found.y, found.z}), albedo);
-        rest &= ~lane_bits(same);
+        albedo = select_w(same, broadcast((Real3){found.x, found.y, found.z}), albedo);
+        rest &= ~lane_bits(ints_of(same));
     }
     return albedo;
 }
 
+#if ALBEDOS_OF_RAYS
+// Those of packet k: three floats a ray.
+static inline vec3w load_albedo(global const float* p, int item, int k) {
+    return (vec3w){convert_realw(*(global const floatw*)(p + lane_address(item, k, 0, 3))),
+                   convert_realw(*(global const floatw*)(p + lane_address(item, k, 1, 3))),
+                   convert_realw(*(global const floatw*)(p + lane_address(item, k, 2, 3)))};
+}
+#endif
+
 // Adds what the light gives the hits of packet k, of which `share` arrives.
-static inline void add_light(Hits hits, Albedos albedos, Float3 phi, floatw share, int first, int item, int k,
-                             global float* radiance) {
-    const intw lit = share > 0.0f;
+static inline void add_light(Hits hits, Albedos albedos, Real3 phi, realw share, int first, int item, int k,
+                             global real* radiance) {
+    const wholew lit = share > 0.0f;
     const int any_lit = any_lane(lit);
     if (!any_lit && !first) return;
     vec3w sum = {wide(0.0f), wide(0.0f), wide(0.0f)};
     if (!first) sum = load_3(radiance, item, k);
     if (any_lit) {
 #if ALBEDOS_OF_RAYS
-        const vec3w albedo = load_3(albedos.values, item, k);
+        const vec3w albedo = load_albedo(albedos.values, item, k);
 #else
         const vec3w albedo = albedo_of(albedos, hits.ids, item, k, lit);
 #endif
@@ -53,7 +63,7 @@ static inline void add_light(Hits hits, Albedos albedos, Float3 phi, floatw shar
 
 #if RESOLVES
 // The blocks of this work-group, two by two.
-static inline void resolve_group(global const int* radiance, Tile tile, Planes planes, global int* plane0,
+static inline void resolve_group(global const word* radiance, Tile tile, Planes planes, global int* plane0,
                                  global int* plane1, global int* plane2) {
     const int blocks = (int)get_local_size(0) * LANES * PACKETS / BLOCK_RAYS, begin = (int)get_group_id(0) * blocks;
     for (int i = (int)get_local_id(0); i < (blocks + 1) / 2 * BLOCK_SIDE; i += (int)get_local_size(0)) {
@@ -69,32 +79,35 @@ static inline void resolve_group(global const int* radiance, Tile tile, Planes p
 }
 #endif
 
-kernel void shade_light(global const float* restrict dirs, global const float* restrict ts,
-                        global const float* restrict normals, global const int* restrict ids,
-                        global const float* restrict arrival, global const PencilCluster* restrict clusters,
+kernel void shade_light(global const real* restrict dirs, global const real* restrict ts,
+                        global const real* restrict normals, global const int* restrict ids,
+                        global const real* restrict arrival, global const PencilCluster* restrict clusters,
                         global const Node* restrict nodes, const int levels, const int last, const float group_depth,
                         global const float* restrict albedos, const int first_albedo, const int albedo_stride,
-                        const LightPencil light, const Float3 phi, const int first, const int items,
-                        global float* radiance, const int last_light, const Tile tile, const Planes planes,
-                        global int* plane0, global int* plane1, global int* plane2) {
+                        const LightPencil light, const Real3 phi, const int first, const int items,
+                        global real* radiance, const int last_light, const Tile tile, const Planes planes,
+                        global int* plane0, global int* plane1, global int* plane2, const real base,
+                        global real* doubts) {
     const int item = (int)get_global_id(0);
     if (item < items) {
         const Hits hits = {dirs, ts, normals, ids};
-        floatw share[PACKETS];
+        realw share[PACKETS];
 #if SHADOWS == SHADOWS_READ
-        FOR_PACKETS(k) share[k] = load_f(arrival, item, k);
+        FOR_PACKETS(k) share[k] = load_r(arrival, item, k);
+#elif CERTIFIED
+        FOR_PACKETS(k) share[k] = certainly_unshadowed(hits, light, base, doubts, item, k);
 #else
         FOR_PACKETS(k) share[k] = unshadowed(hits, light, item, k);
 #endif
 #if SHADOWS == SHADOWS_TRACED
         const Hierarchy hierarchy = {clusters, nodes, levels, last};
-        trace_shadows(hits, hierarchy, light, group_depth, item, share);
+        trace_shadows(hits, hierarchy, light, group_depth, item, share, base, doubts);
 #endif
         const Albedos all = {albedos + first_albedo, albedo_stride};
         FOR_PACKETS(k) add_light(hits, all, phi, share[k], first, item, k, radiance);
     }
 #if RESOLVES
     barrier(CLK_GLOBAL_MEM_FENCE);
-    if (last_light) resolve_group((global const int*)radiance, tile, planes, plane0, plane1, plane2);
+    if (last_light) resolve_group((global const word*)radiance, tile, planes, plane0, plane1, plane2);
 #endif
 }

@@ -18,24 +18,24 @@
 #include "cluster.h"
 #include "ieee.h"
 
-static inline floatw sphere_discriminant(PencilSphere s, vec3w dir, floatw b) {
+static inline realw sphere_discriminant(PencilSphere s, vec3w dir, realw b) {
     if (!looks_small(s)) return fma(b, b, wide(-s.power));
     const vec3w across = fma_w(-b, dir, broadcast(s.center));  // from the line to the centre, shortest way
     return fma(-across.x, across.x, fma(-across.y, across.y, fma(-across.z, across.z, wide(s.r2))));
 }
 
 // Whether the line meets the sphere anywhere at t > 0: seen from outside the centre must lie ahead.
-static inline intw sphere_meets(PencilSphere s, floatw b, floatw discriminant) {
+static inline wholew sphere_meets(PencilSphere s, realw b, realw discriminant) {
     return (discriminant >= 0.0f) & ((b > 0.0f) | (wide(s.power) <= 0.0f));
 }
 
 // The smallest root > 0 of a line that meets the sphere. Roots of equal sign are never subtracted: the one of larger
 // magnitude is q = b +- sqrt(D), with the sign of b, and the other is C / q. From inside, or on the surface, that is
 // the far root; where there is none the result is not > 0.
-static inline floatw sphere_root(PencilSphere s, floatw b, floatw discriminant) {
-    const floatw root = square_root(discriminant);
-    const floatw q = b > 0.0f ? b + root : b - root;
-    const floatw other = divide(wide(s.power), q);
+static inline realw sphere_root(PencilSphere s, realw b, realw discriminant) {
+    const realw root = square_root(discriminant);
+    const realw q = b > 0.0f ? b + root : b - root;
+    const realw other = divide(wide(s.power), q);
     return ((wide(s.power) > 0.0f) | (b <= 0.0f)) ? other : q;
 }
 

@@ -6,7 +6,7 @@
 // which many spheres lie close together. One work-item: 16 spheres.
 #include "hilbert.h"
 #include "sphere_rows.h"
-#include "two_float.h"
+#include "two_reals.h"
 
 // Spheres much larger than most would spoil the bounds of their small neighbours: those of more than 8 times the middle
 // radius come after the others, by factors of 64.
@@ -16,7 +16,7 @@ static inline uint16 size_class(float16 radius, float middle) {
 }
 
 // 10 bits of a place along an axis: those before the point, or, for later words, the next ones.
-static inline uint16 digits(TwoFloat place, int word) {
+static inline uint16 digits(TwoReals place, int word) {
     const float cells = 1 << HILBERT_BITS;
     for (int i = 0; i < word; ++i)
         place = two_sum((place.hi - floor(place.hi)) * cells, place.lo * cells);  // all exact
@@ -26,9 +26,9 @@ static inline uint16 digits(TwoFloat place, int word) {
 
 // In cells of the coarsest grid, from the corner of the box: `scale` is a power of two, so this is exact but for what
 // is added to the rest.
-static inline TwoFloat place_of(const float* at, const float* rest, float low, float scale) {
-    const TwoFloat offset = two_difference(vload16(0, at), vload16(0, rest), low, 0.0f);
-    return (TwoFloat){offset.hi * scale, offset.lo * scale};
+static inline TwoReals place_of(const float* at, const float* rest, float low, float scale) {
+    const TwoReals offset = two_difference(number_of(vload16(0, at), vload16(0, rest)), low, 0.0f);
+    return (TwoReals){offset.hi * scale, offset.lo * scale};
 }
 
 // `low` is the corner of the box around all centres; `scale` 2^10 over its longest side, or less.

@@ -1,7 +1,9 @@
-// Structs and constants that cross between host and device: 32-bit scalars and packed float3 only. Included by both;
-// the sizes are asserted at the end for whichever compiler reads this.
+// Structs and constants that cross between host and device: scalars and packed triples only, reals (real.h) and 32-bit
+// ones. Included by both; the sizes are asserted at the end for whichever compiler reads this.
 #ifndef GNOMON_TYPES_H
 #define GNOMON_TYPES_H
+
+#include "real.h"
 
 // Rays travel in blocks of 8 x 8 pixels. In every ray and hit buffer a block is 64 neighbouring values for each
 // component (x of all 64 rays, then y, then z); inside a block the order is row by row. Nothing in memory depends on
@@ -32,9 +34,15 @@
 namespace gnomon {
 #endif
 
+STRUCT_OF_REALS(Real3) { real x, y, z; };
+
+#if REAL_IS_DOUBLE
 typedef struct {
     float x, y, z;
 } Float3;
+#else
+typedef Real3 Float3;
+#endif
 
 // Spheres travel in clusters of 16, which the order of the hierarchy makes neighbours. Places that nothing fills have
 // id -1.
@@ -61,13 +69,13 @@ typedef struct {
 
 // The spheres of a cluster as one pencil sees them. reach is the radius widened for conservative tests (reach.h); no
 // ball of an empty place reaches anything, and no line meets it.
-typedef struct {
-    float x[CLUSTER], y[CLUSTER], z[CLUSTER];  // centre from the apex; parallel: from the eye, in the pencil's basis
+STRUCT_OF_REALS(PencilCluster) {
+    real x[CLUSTER], y[CLUSTER], z[CLUSTER];  // centre from the apex; parallel: from the eye, in the pencil's basis
     float reach[CLUSTER];
-    float r2[CLUSTER];     // radius^2
-    float power[CLUSTER];  // |centre|^2 - radius^2, the power of the apex (parallel: of the eye): < 0 inside
+    real r2[CLUSTER];     // radius^2
+    real power[CLUSTER];  // |centre|^2 - radius^2, the power of the apex (parallel: of the eye): < 0 inside
     int id[CLUSTER];
-} PencilCluster;
+};
 
 // Bounds of 16 children as one pencil sees them, in its basis: rectangles across the axis, on a plane at distance 1
 // (parallel: across the light), and the distance from the apex where the first sphere begins (parallel: along the
@@ -81,35 +89,32 @@ typedef struct {
 // 16^8 spheres are more than an int counts.
 #define MAX_LEVELS 8
 
-// Three orthonormal directions; what is seen along `axis` is told apart across it.
+// Three orthonormal directions; what is seen along `axis` is told apart across it. Bounds are floats in all programs.
 typedef struct {
     Float3 u, v, axis;
 } Basis;
 
-// A point to float's precision twice over: hi + lo.
-typedef struct {
-    Float3 hi, lo;
-} Apex;
+// A point to a real's precision twice over: hi + lo.
+STRUCT_OF_REALS(Apex) { OF_REALS(Real3) hi, lo; };
 
 // Rays from the eye: pixel (i, j) looks along forward + (2i + 1 - width) right + (height - 1 - 2j) up.
-typedef struct {
-    Float3 forward, right, up;
+STRUCT_OF_REALS(EyePencil) {
+    OF_REALS(Real3) forward, right, up;
     int width, height;  // pixels
-} EyePencil;
+};
 
-// Rays toward a directional light, along the axis; positions are relative to the eye.
-typedef struct {
-    Basis basis;
-} ParallelPencil;
+// Rays toward a directional light, along the axis; positions are relative to the eye, in the orthonormal basis of these
+// three.
+STRUCT_OF_REALS(ParallelPencil) { OF_REALS(Real3) u, v, axis; };
 
 // Rays from a point light. Bounds are kept for each of its faces: one when all spheres lie on one side of the light,
 // else the six of a cube around it.
 #define MAX_FACES 6
-typedef struct {
-    Float3 origin;  // relative to the eye
+STRUCT_OF_REALS(PointPencil) {
+    OF_REALS(Real3) origin;  // relative to the eye
     int faces;
     Basis face[MAX_FACES];
-} PointPencil;
+};
 
 // A rectangle of blocks that one chain of launches computes.
 typedef struct {
@@ -126,15 +131,26 @@ typedef struct {
 } Planes;
 
 #define ASSERT_SIZE(type, bytes) typedef char assert_size_of_##type[sizeof(type) == (bytes) ? 1 : -1]
+// Of a struct of floats, and of doubles.
+#ifdef __cplusplus
+#define ASSERT_SIZES(type, of_floats, of_doubles)                 \
+    static_assert(sizeof(type##Of<float>) == (of_floats), #type); \
+    static_assert(sizeof(type##Of<double>) == (of_doubles), #type)
+#elif REAL_IS_DOUBLE
+#define ASSERT_SIZES(type, of_floats, of_doubles) ASSERT_SIZE(type, of_doubles)
+#else
+#define ASSERT_SIZES(type, of_floats, of_doubles) ASSERT_SIZE(type, of_floats)
+#endif
 ASSERT_SIZE(Float3, 12);
+ASSERT_SIZES(Real3, 12, 24);
 ASSERT_SIZE(Cluster, 5 * 4 * CLUSTER);
 ASSERT_SIZE(ClusterRest, 4 * 4 * CLUSTER);
-ASSERT_SIZE(PencilCluster, 7 * 4 * CLUSTER);
+ASSERT_SIZES(PencilCluster, 7 * 4 * CLUSTER, (5 * 8 + 2 * 4) * CLUSTER);
 ASSERT_SIZE(Node, 6 * 4 * CLUSTER);
-ASSERT_SIZE(Apex, 24);
-ASSERT_SIZE(EyePencil, 44);
-ASSERT_SIZE(ParallelPencil, 36);
-ASSERT_SIZE(PointPencil, 16 + 36 * MAX_FACES);
+ASSERT_SIZES(Apex, 24, 48);
+ASSERT_SIZES(EyePencil, 44, 80);
+ASSERT_SIZES(ParallelPencil, 36, 72);
+ASSERT_SIZES(PointPencil, 16 + 36 * MAX_FACES, 24 + 4 + 36 * MAX_FACES + 4);  // rounded up to whole doubles
 ASSERT_SIZE(Tile, 16);
 ASSERT_SIZE(Planes, 20);
 

@@ -25,8 +25,8 @@ std::vector<std::pair<void*, size_t>> planes_of(Film& film, Output output) {
 }
 
 Binder::Binder(const cl::Context& context, const Plan& plan, const SceneBuffers& scene, Film& film,
-               const cl::Buffer& hit_counts)
-    : plan_(plan), scene_(scene), film_(film), hit_counts_(hit_counts) {
+               const cl::Buffer& hit_counts, const cl::Buffer& undecided)
+    : plan_(plan), scene_(scene), film_(film), hit_counts_(hit_counts), undecided_(undecided) {
     if (!plan.write_in_place) return;
     for (const Step& step : plan.steps)
         if (step.kernel == Kernel::resolve || step.resolves)
@@ -45,12 +45,14 @@ void Binder::bind(cl::Kernel& kernel, const TileLaunch& launch) const {
             return set_arguments(kernel, b.dirs, scene_.eye, launch.tile, scene_.eye_basis, launch.spheres->clusters,
                                  launch.spheres->nodes, launch.spheres->levels, launch.spheres->last,
                                  launch.first_chunk ? 1 : 0, items, b.ts, b.normals, b.ids, launch.first_group,
-                                 hit_counts_);
+                                 hit_counts_, base_doubt(), b.doubts);
         case Kernel::intersect_shadow:
         case Kernel::shade_light:
             return bind_light(kernel, launch, items);
         case Kernel::resolve:
             return bind_resolve(kernel, launch);
+        case Kernel::list_undecided:
+            return set_arguments(kernel, b.doubts, launch.tile, film_.width, film_.height, items, undecided_);
         default:  // the kernels before the tiles are no steps
             break;
     }
@@ -70,7 +72,8 @@ void Binder::bind_light(cl::Kernel& kernel, const TileLaunch& launch, int items)
             set_arguments(kernel, b.dirs, b.ts, b.normals, b.ids, b.arrival, s.clusters, s.nodes, s.levels, s.last,
                           plan_.group_depth, albedos.values, albedos.first, albedos.stride, pencil, light.phi,
                           launch.step.first ? 1 : 0, items, b.radiance, launch.step.resolves ? 1 : 0, launch.tile,
-                          shape_of_planes(launch.tile), plane(launch, 0), plane(launch, 1), plane(launch, 2));
+                          shape_of_planes(launch.tile), plane(launch, 0), plane(launch, 1), plane(launch, 2),
+                          base_doubt(), b.doubts);
     };
     std::visit(with, light.pencil);
 }
@@ -82,6 +85,11 @@ void Binder::bind_resolve(cl::Kernel& kernel, const TileLaunch& launch) const {
     const int components = output == Output::radiance || output == Output::normal ? 3 : 1;
     set_arguments(kernel, *sources[static_cast<size_t>(output)], components, launch.tile, shape_of_planes(launch.tile),
                   plan_.items(Kernel::resolve, launch.tile), plane(launch, 0), plane(launch, 1), plane(launch, 2));
+}
+
+std::variant<float, double> Binder::base_doubt() const {
+    if (computes_in_double(plan_.accuracy)) return static_cast<double>(scene_.base_doubt);
+    return scene_.base_doubt;
 }
 
 Planes Binder::shape_of_planes(const Tile& tile) const {

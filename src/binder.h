@@ -2,6 +2,7 @@
 #pragma once
 
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "buffers.h"
@@ -28,7 +29,7 @@ class Binder {
   public:
     /// The film's planes become buffers where the plan writes them in place.
     Binder(const cl::Context& context, const Plan& plan, const SceneBuffers& scene, Film& film,
-           const cl::Buffer& hit_counts);
+           const cl::Buffer& hit_counts, const cl::Buffer& undecided);
 
     /// Sets all arguments of the kernel that the step launches.
     void bind(cl::Kernel& kernel, const TileLaunch& launch) const;
@@ -39,6 +40,7 @@ class Binder {
   private:
     void bind_light(cl::Kernel& kernel, const TileLaunch& launch, int items) const;
     void bind_resolve(cl::Kernel& kernel, const TileLaunch& launch) const;
+    std::variant<float, double> base_doubt() const;
     Planes shape_of_planes(const Tile& tile) const;
     /// Plane c of a step's output; some buffer where the step has none, for kernels must be given one.
     const cl::Buffer& plane(const TileLaunch& launch, size_t c) const;
@@ -46,7 +48,7 @@ class Binder {
     const Plan& plan_;
     const SceneBuffers& scene_;
     const Film& film_;
-    cl::Buffer hit_counts_;
+    cl::Buffer hit_counts_, undecided_;
     std::vector<cl::Buffer> planes_[4];
 };
 

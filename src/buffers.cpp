@@ -7,6 +7,7 @@ namespace gnomon {
 namespace {
 
 /// What one light needs, whichever kind it is.
+template <class real>
 struct PrepareLight {
     SphereKernels& kernels;
     const Scene& scene;
@@ -16,35 +17,53 @@ struct PrepareLight {
     bool shadows;
 
     LightBuffers operator()(const DirectionalLight& light) const {
-        return with_spheres(parallel_pencil(light), lambert_factor(light, frame.unit));
+        return with_spheres(parallel_pencil<real>(light), lambert_factor<real>(light, frame.unit));
     }
     LightBuffers operator()(const PointLight& light) const {
-        return with_spheres(point_pencil(light, scene.camera, survey, frame), lambert_factor(light, frame.unit));
+        return with_spheres(point_pencil<real>(light, scene.camera, survey, frame),
+                            lambert_factor<real>(light, frame.unit));
     }
 
   private:
     template <class Pencil>
-    LightBuffers with_spheres(const Pencil& pencil, const Float3& phi) const {
+    LightBuffers with_spheres(const Pencil& pencil, const Real3Of<real>& phi) const {
         LightBuffers buffers{pencil, phi, {}};
         if (shadows && spheres) buffers.spheres = kernels.project(*spheres, view_of(pencil, scene.camera, frame));
         return buffers;
     }
 };
 
+template <class real>
+SceneBuffers prepare_in(SphereKernels& kernels, const Scene& scene, const Survey& survey, const Frame& frame,
+                        const ClusterBuffers* spheres, const Plan& plan) {
+    SceneBuffers buffers;
+    buffers.eye = eye_pencil<real>(scene.camera, scene.image);
+    buffers.eye_basis = eye_basis(scene.camera);
+    buffers.base_doubt = base_doubt(scene, survey, frame);
+    if (spheres) buffers.spheres = kernels.project(*spheres, view_of_eye<real>(scene.camera, frame));
+    if (!plan.uses(Kernel::shade_light)) return buffers;
+    const PrepareLight<real> prepared{kernels, scene, survey, frame, spheres, plan.shadows != Shadows::off};
+    for (const Light& light : scene.lights) buffers.lights.push_back(std::visit(prepared, light));
+    return buffers;
+}
+
 TileBuffers allocate_tile(const DeviceMemory& memory, const Plan& plan) {
     const int64_t rays = int64_t{plan.tile_blocks} * BLOCK_RAYS;
-    const auto values = [&](int64_t count) { return memory.room<float>(count); };
+    const auto reals = [&](int64_t count) {
+        return with_real(plan.accuracy, [&](auto real) { return memory.room<decltype(real)>(count); });
+    };
     TileBuffers tile;
-    tile.dirs = values(3 * rays);
-    tile.ts = values(rays);
-    tile.normals = values(3 * rays);
-    tile.ids = values(rays);
+    tile.dirs = reals(3 * rays);
+    tile.ts = reals(rays);
+    tile.normals = reals(3 * rays);
+    tile.ids = memory.room<int>(rays);
     // Kernel arguments that a scene does not use still have to name a buffer.
-    tile.arrival = values(plan.uses(Kernel::intersect_shadow) ? rays : 1);
-    tile.radiance = values(plan.uses(Kernel::shade_light) ? 3 * rays : 1);
-    tile.albedos = values(plan.albedos_of_rays ? 3 * rays : 1);
+    tile.arrival = reals(plan.uses(Kernel::intersect_shadow) ? rays : 1);
+    tile.radiance = reals(plan.uses(Kernel::shade_light) ? 3 * rays : 1);
+    tile.doubts = reals(plan.certified ? 2 * rays : 1);
+    tile.albedos = memory.room<float>(plan.albedos_of_rays ? 3 * rays : 1);
     if (!plan.write_in_place)
-        for (cl::Buffer& plane : tile.planes) plane = values(rays);
+        for (cl::Buffer& plane : tile.planes) plane = memory.room<float>(rays);
     return tile;
 }
 
@@ -59,22 +78,21 @@ AlbedoBuffer albedos_of(const DeviceMemory& memory, const SphereRows& rows, cons
 
 SceneBuffers prepare(SphereKernels& kernels, const Scene& scene, const Survey& survey, const Frame& frame,
                      const ClusterBuffers* spheres, const Plan& plan) {
-    SceneBuffers buffers;
-    buffers.eye = eye_pencil(scene.camera, scene.image);
-    buffers.eye_basis = eye_basis(scene.camera);
-    if (spheres) buffers.spheres = kernels.project(*spheres, view_of_eye(scene.camera, frame));
-    if (!plan.uses(Kernel::shade_light)) return buffers;
-    const PrepareLight prepared{kernels, scene, survey, frame, spheres, plan.shadows != Shadows::off};
-    for (const Light& light : scene.lights) buffers.lights.push_back(std::visit(prepared, light));
-    return buffers;
+    return with_real(plan.accuracy, [&](auto real) {
+        return prepare_in<decltype(real)>(kernels, scene, survey, frame, spheres, plan);
+    });
 }
 
 std::vector<TileBuffers>& TilePool::get(const DeviceMemory& memory, const Plan& plan) {
     const size_t count = std::min<size_t>(plan.memory.by_view ? 1 : tile_sets, plan.tiles.size()),
                  rays = static_cast<size_t>(plan.tile_blocks);
-    const std::array<size_t, 5> shape{count, rays,
+    const std::array<size_t, 7> shape{count,
+                                      rays,
                                       plan.uses(Kernel::intersect_shadow) + size_t{2} * plan.uses(Kernel::shade_light),
-                                      size_t{plan.write_in_place}, size_t{plan.albedos_of_rays}};
+                                      size_t{plan.write_in_place},
+                                      size_t{plan.albedos_of_rays},
+                                      size_t{plan.certified},
+                                      static_cast<size_t>(real_bytes(plan.accuracy))};
     if (shape == shape_) return tiles_;
     shape_ = {};  // of no plan, in case an allocation throws
     tiles_.clear();

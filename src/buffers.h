@@ -13,8 +13,8 @@ namespace gnomon {
 
 /// One light: its pencil and factor, passed by value, and the spheres as its rays see them (when shadows are on).
 struct LightBuffers {
-    std::variant<ParallelPencil, PointPencil> pencil;
-    Float3 phi{};
+    std::variant<ParallelPencil, PointPencil, ParallelPencilOf<double>, PointPencilOf<double>> pencil;
+    Either<Real3Of> phi;
     SphereBuffers spheres;
 };
 
@@ -25,11 +25,12 @@ struct AlbedoBuffer {
 };
 
 struct SceneBuffers {
-    EyePencil eye{};
+    Either<EyePencilOf> eye;
     Basis eye_basis{};
     SphereBuffers spheres;  ///< as the eye sees them
     AlbedoBuffer albedos;
     std::vector<LightBuffers> lights;
+    float base_doubt = 0;  ///< how far the spheres, as they are on the device, may be off (cl/certify.h)
 };
 
 /// The spheres' albedos lie in their rows; rows without are all of one albedo.
@@ -42,7 +43,7 @@ SceneBuffers prepare(SphereKernels& kernels, const Scene& scene, const Survey& s
 
 /// Rays and hits of one tile, in block order; planes receives the film's part where it is not written in place.
 struct TileBuffers {
-    cl::Buffer dirs, ts, normals, ids, arrival, radiance, albedos, planes[3];
+    cl::Buffer dirs, ts, normals, ids, arrival, radiance, albedos, doubts, planes[3];
 };
 
 /// The tiles under way, allocated on first use and kept as long as plans have the same shape.
@@ -52,7 +53,7 @@ class TilePool {
 
   private:
     std::vector<TileBuffers> tiles_;
-    std::array<size_t, 5> shape_{};
+    std::array<size_t, 7> shape_{};
 };
 
 }  // namespace gnomon

@@ -5,16 +5,17 @@ namespace gnomon {
 namespace {
 
 /// From where a light sees spheres.
+template <class real>
 struct ViewOfLight {
     const Scene& scene;
     const Survey& survey;
     const Frame& frame;
 
     PencilView operator()(const DirectionalLight& light) const {
-        return view_of(parallel_pencil(light), scene.camera, frame);
+        return view_of(parallel_pencil<real>(light), scene.camera, frame);
     }
     PencilView operator()(const PointLight& light) const {
-        return view_of(point_pencil(light, scene.camera, survey, frame), scene.camera, frame);
+        return view_of(point_pencil<real>(light, scene.camera, survey, frame), scene.camera, frame);
     }
 };
 
@@ -29,6 +30,7 @@ ChunkedSpheres::ChunkedSpheres(const DeviceMemory& memory, SphereKernels& kernel
       scene_(scene),
       survey_(survey),
       frame_(frame),
+      accuracy_(plan.accuracy),
       resident_(plan.memory.resident) {
     if (plan.memory.cut) {
         partition_ = cut_into_chunks(scene, survey, frame, plan.memory.chunk_spheres);
@@ -50,8 +52,11 @@ ClusterBuffers ChunkedSpheres::gather(int chunk) {
 }
 
 PencilView ChunkedSpheres::view(int light) const {
-    if (light < 0) return view_of_eye(scene_.camera, frame_);
-    return std::visit(ViewOfLight{scene_, survey_, frame_}, scene_.lights[static_cast<size_t>(light)]);
+    return with_real(accuracy_, [&](auto real) {
+        if (light < 0) return view_of_eye<decltype(real)>(scene_.camera, frame_);
+        const ViewOfLight<decltype(real)> seen{scene_, survey_, frame_};
+        return std::visit(seen, scene_.lights[static_cast<size_t>(light)]);
+    });
 }
 
 SphereBuffers ChunkedSpheres::seen(int light, int chunk) {

@@ -33,6 +33,7 @@ class ChunkedSpheres {
     const Scene& scene_;
     const Survey& survey_;
     const Frame& frame_;
+    Accuracy accuracy_;
     bool resident_;
     Partition partition_;                   // if the scene is cut
     std::vector<ClusterBuffers> gathered_;  // of each chunk, if they stay

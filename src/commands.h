@@ -23,7 +23,7 @@ class RenderCommand {
     void say(const std::string& line) const;
 
     CLI::App* command_;
-    std::string scene_path_, device_, size_, view_ = "radiance", stats_path_;
+    std::string scene_path_, device_, size_, view_ = "radiance", accuracy_ = "strict", stats_path_;
     std::vector<std::string> outputs_;
     Display display_;
     bool no_shadows_ = false, quiet_ = false;

@@ -13,6 +13,12 @@ constexpr int64_t word = 4;
 int64_t nodes_of(int64_t spheres) { return hierarchy_over(spheres).all_nodes(); }
 int64_t clusters_of(int64_t spheres) { return hierarchy_over(spheres).clusters; }
 
+/// Clusters as a pencil sees them.
+int64_t seen(int64_t spheres, int real_bytes) {
+    const size_t cluster = real_bytes == sizeof(double) ? sizeof(PencilClusterOf<double>) : sizeof(PencilCluster);
+    return clusters_of(spheres) * static_cast<int64_t>(cluster);
+}
+
 }  // namespace
 
 int64_t SphereFootprint::rows(int64_t spheres) const {
@@ -29,8 +35,7 @@ int64_t SphereFootprint::clusters(int64_t spheres) const {
 }
 
 int64_t SphereFootprint::view(int64_t spheres) const {
-    return clusters_of(spheres) * static_cast<int64_t>(sizeof(PencilCluster)) +
-           faces * nodes_of(spheres) * static_cast<int64_t>(sizeof(Node));
+    return seen(spheres, real_bytes) + faces * nodes_of(spheres) * static_cast<int64_t>(sizeof(Node));
 }
 
 int64_t SphereFootprint::building(int64_t spheres) const {
@@ -38,8 +43,8 @@ int64_t SphereFootprint::building(int64_t spheres) const {
 }
 
 int64_t SphereFootprint::largest_buffer(int64_t spheres) const {
-    const int64_t seen = clusters_of(spheres) * static_cast<int64_t>(sizeof(PencilCluster));
-    return std::max({spheres * word * columns, seen, faces * nodes_of(spheres) * static_cast<int64_t>(sizeof(Node))});
+    return std::max({spheres * word * columns, seen(spheres, real_bytes),
+                     faces * nodes_of(spheres) * static_cast<int64_t>(sizeof(Node))});
 }
 
 }  // namespace gnomon

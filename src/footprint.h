@@ -15,6 +15,7 @@ struct SphereFootprint {
     bool has_ids = false;      ///< rows come with their ids
     int faces = 1;             ///< the most that a pencil has
     int slices = 1;            ///< into which sorting is cut
+    int real_bytes = 4;        ///< of a number as pencils see spheres
 
     int64_t rows(int64_t spheres) const;      ///< as they are read; 0 where they are the host's
     int64_t sorting(int64_t spheres) const;   ///< while they are put in order

@@ -1,6 +1,7 @@
 // Launches kernels one after the other, each when the one before has ended.
 #pragma once
 
+#include <variant>
 #include <vector>
 
 #include "opencl.h"
@@ -8,11 +9,21 @@
 
 namespace gnomon {
 
+template <class Argument>
+void set_argument(cl::Kernel& kernel, cl_uint index, const Argument& argument) {
+    kernel.setArg(index, argument);
+}
+/// Of several types the one that it holds.
+template <class... Types>
+void set_argument(cl::Kernel& kernel, cl_uint index, const std::variant<Types...>& argument) {
+    std::visit([&](const auto& held) { kernel.setArg(index, held); }, argument);
+}
+
 /// Sets all arguments of a kernel in their order.
 template <class... Arguments>
 void set_arguments(cl::Kernel& kernel, const Arguments&... arguments) {
     cl_uint index = 0;
-    (kernel.setArg(index++, arguments), ...);
+    (set_argument(kernel, index++, arguments), ...);
 }
 
 /// The device's own time of a command that has ended.

@@ -26,29 +26,33 @@ int64_t largest(int64_t high, Allowed allowed) {
     return low;
 }
 
+/// Of all its buffers, without an albedo, and of the largest.
+int64_t bytes_per_whole_ray(const MemoryNeeds& n) { return bytes_per_ray(n.sphere.real_bytes) + n.film_bytes_per_ray; }
+int64_t bytes_per_direction(const MemoryNeeds& n) { return int64_t{3} * n.sphere.real_bytes; }
+
 std::string mebibytes(int64_t bytes) { return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB"; }
 
 /// With all pencils' views.
 int64_t whole_peak(const MemoryNeeds& n) {
     const SphereFootprint& s = n.sphere;
-    return n.other_bytes + n.tiles_under_way * n.tile_rays * (bytes_per_ray + n.film_bytes_per_ray) +
+    return n.other_bytes + n.tiles_under_way * n.tile_rays * bytes_per_whole_ray(n) +
            std::max(s.building(n.spheres), s.rows(n.spheres) + s.clusters(n.spheres) + n.views * s.view(n.spheres));
 }
 
 /// With one at a time.
 int64_t one_view_peak(const MemoryNeeds& n, int64_t tile_rays) {
     const SphereFootprint& s = n.sphere;
-    return n.other_bytes + tile_rays * (bytes_per_ray + n.film_bytes_per_ray) +
+    return n.other_bytes + tile_rays * bytes_per_whole_ray(n) +
            std::max(s.building(n.spheres), s.rows(n.spheres) + s.clusters(n.spheres) + s.view(n.spheres));
 }
 
-int64_t bytes_per_cut_ray(const MemoryNeeds& n) { return bytes_per_ray + bytes_per_albedo + n.film_bytes_per_ray; }
+int64_t bytes_per_cut_ray(const MemoryNeeds& n) { return bytes_per_whole_ray(n) + bytes_per_albedo; }
 
 /// Rays that stay on the device while the chunks go by.
 int64_t tile_beside_chunks(const MemoryNeeds& n, const MemoryLimits& limits) {
     const int64_t ray = bytes_per_cut_ray(n);
     const int64_t wanted = n.asked_tile_rays > 0 ? n.asked_tile_rays : limits.all / 4 / ray;
-    const int64_t most = std::min({wanted, n.image_rays, max_tile_rays, limits.one_buffer / bytes_per_albedo});
+    const int64_t most = std::min({wanted, n.image_rays, max_tile_rays, limits.one_buffer / bytes_per_direction(n)});
     return std::max<int64_t>(most / BLOCK_RAYS, 1) * BLOCK_RAYS;
 }
 
@@ -58,7 +62,7 @@ int64_t tile_beside_chunks(const MemoryNeeds& n, const MemoryLimits& limits) {
                           std::max(s.building(least_chunk), s.clusters(least_chunk) + s.view(least_chunk));
     throw Error(Blame::run,
                 "the scene needs at least " + mebibytes(least) + " on the device, and " +
-                    mebibytes(std::max(s.largest_buffer(least_chunk), tile_rays * bytes_per_albedo)) +
+                    mebibytes(std::max(s.largest_buffer(least_chunk), tile_rays * bytes_per_direction(n))) +
                     " in one buffer; it may use " + mebibytes(limits.all) + ", " + mebibytes(limits.one_buffer) +
                     " in one buffer",
                 "", "allow more memory (--memory), use a device with more, or a smaller --tile");
@@ -69,13 +73,13 @@ int64_t tile_beside_chunks(const MemoryNeeds& n, const MemoryLimits& limits) {
 MemoryPlan plan_memory(const MemoryNeeds& n, const MemoryLimits& limits) {
     const SphereFootprint& s = n.sphere;
     const bool one_buffer_holds =
-        s.largest_buffer(n.spheres) <= limits.one_buffer && n.tile_rays * bytes_per_albedo <= limits.one_buffer;
+        s.largest_buffer(n.spheres) <= limits.one_buffer && n.tile_rays * bytes_per_direction(n) <= limits.one_buffer;
     const int64_t tile_rays = tile_beside_chunks(n, limits);
     const int64_t whole = whole_peak(n), one_view = one_view_peak(n, tile_rays);
     if (one_buffer_holds && std::min(whole, one_view) <= limits.all) {
         // Smaller tiles would have every pencil's view made again for each.
         const bool views_made_once = tile_rays >= n.image_rays;
-        if (whole <= limits.all && (whole <= one_view || !views_made_once))
+        if (whole <= limits.all && (n.all_views || whole <= one_view || !views_made_once))
             return {false, false, n.spheres, true, n.tile_rays, whole};
         return {true, false, n.spheres, true, tile_rays, one_view};
     }

@@ -20,6 +20,7 @@ struct MemoryNeeds {
     int64_t tile_rays = 0;        ///< of the largest tile, while the scene is not cut
     int64_t asked_tile_rays = 0;  ///< 0: as many as fit
     int64_t tiles_under_way = 1;
+    bool all_views = false;          ///< are needed at once, if they fit
     int64_t film_bytes_per_ray = 0;  ///< of a tile, where the film is read back from the device
     int64_t other_bytes = 0;         ///< whatever else there is
 };
@@ -36,9 +37,10 @@ struct MemoryPlan {
     int64_t peak_bytes = 0;  ///< of the device
 };
 
-/// Bytes of one ray in a tile's buffers: dir 12, t 4, normal 12, id 4, arrival 4, radiance 12; albedo 12 if the scene
-/// is cut.
-constexpr int64_t bytes_per_ray = 48, bytes_per_albedo = 12;
+/// Bytes of one ray in a tile's buffers: dir, normal and radiance 3 reals each, t and arrival 1, id 4; albedo 12 if the
+/// scene is cut.
+constexpr int64_t bytes_per_ray(int64_t real_bytes) { return (3 + 3 + 3 + 1 + 1) * real_bytes + 4; }
+constexpr int64_t bytes_per_albedo = 12;
 
 /// Throws Error(Blame::run) when not even small chunks fit.
 MemoryPlan plan_memory(const MemoryNeeds& needs, const MemoryLimits& limits);

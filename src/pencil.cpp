@@ -1,5 +1,6 @@
 #include "pencil.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "rounding.h"
@@ -10,14 +11,23 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-Float3 rounded(const Vec3& v) { return {round_to_float(v.x), round_to_float(v.y), round_to_float(v.z)}; }
-Vec3 widened(const Float3& v) { return {v.x, v.y, v.z}; }
+template <class real>
+Real3Of<real> rounded(const Vec3& v) {
+    if constexpr (sizeof(real) == sizeof(double))
+        return {v.x, v.y, v.z};
+    else
+        return {round_to_float(v.x), round_to_float(v.y), round_to_float(v.z)};
+}
+template <class real>
+Vec3 widened(const Real3Of<real>& v) {
+    return {v.x, v.y, v.z};
+}
 
 /// Three directions, of which two span the plane across the third.
 struct Directions {
     Vec3 u, v, axis;
 };
-Basis rounded(const Directions& d) { return {rounded(d.u), rounded(d.v), rounded(d.axis)}; }
+Basis rounded_basis(const Directions& d) { return {rounded<float>(d.u), rounded<float>(d.v), rounded<float>(d.axis)}; }
 
 Directions view(const Camera& camera) {
     const Vec3 z = normalize(camera.at - camera.eye), x = normalize(cross(camera.up, z));
@@ -44,53 +54,103 @@ bool sees_all(const Vec3& point, const Vec3& axis, const Survey& s) {
     return true;
 }
 
-Apex apex_of(const Vec3& p) { return {rounded(p), {rest_of_float(p.x), rest_of_float(p.y), rest_of_float(p.z)}}; }
+/// What is left of a sum beside its double (Knuth, The Art of Computer Programming 2, 4.2.2, theorem B).
+double rest_of_sum(double a, double b) {
+    const double sum = a + b, b_part = sum - a;
+    return (a - (sum - b_part)) + (b - b_part);
+}
+
+/// The place of the eye, and from there the way to a pencil's apex.
+template <class real>
+ApexOf<real> apex_of(const Vec3& eye, const Vec3& way) {
+    const Vec3 p = eye + way;
+    if constexpr (sizeof(real) == sizeof(double))
+        return {rounded<real>(p), {rest_of_sum(eye.x, way.x), rest_of_sum(eye.y, way.y), rest_of_sum(eye.z, way.z)}};
+    else
+        return {rounded<real>(p), {rest_of_float(p.x), rest_of_float(p.y), rest_of_float(p.z)}};
+}
 
 }  // namespace
 
-EyePencil eye_pencil(const Camera& camera, const ImageSize& image) {
+template <class real>
+EyePencilOf<real> eye_pencil(const Camera& camera, const ImageSize& image) {
     const Directions d = view(camera);
     const double half_height = std::tan(camera.fov * pi / 360);  // of the image plane at distance 1
     const double half_pixel = half_height / image.height;
-    return {rounded(d.axis), rounded(d.u * half_pixel), rounded(d.v * half_pixel), image.width, image.height};
+    return {rounded<real>(d.axis), rounded<real>(d.u * half_pixel), rounded<real>(d.v * half_pixel), image.width,
+            image.height};
 }
 
-Basis eye_basis(const Camera& camera) { return rounded(view(camera)); }
+Basis eye_basis(const Camera& camera) { return rounded_basis(view(camera)); }
 
-ParallelPencil parallel_pencil(const DirectionalLight& light) {
-    return {rounded(across(normalize(light.direction_to_light)))};
+template <class real>
+ParallelPencilOf<real> parallel_pencil(const DirectionalLight& light) {
+    const Directions d = across(normalize(light.direction_to_light));
+    return {rounded<real>(d.u), rounded<real>(d.v), rounded<real>(d.axis)};
 }
 
-PointPencil point_pencil(const PointLight& light, const Camera& camera, const Survey& survey, const Frame& frame) {
-    PointPencil pencil{rounded((light.position - camera.eye) * (1 / frame.unit)), 1, {}};
+template <class real>
+PointPencilOf<real> point_pencil(const PointLight& light, const Camera& camera, const Survey& survey,
+                                 const Frame& frame) {
+    PointPencilOf<real> pencil{rounded<real>((light.position - camera.eye) * (1 / frame.unit)), 1, {}};
     const Vec3 way = survey.low * 0.5 + survey.high * 0.5 - light.position;
     const double distance = length(way);
     if (distance > 0 && std::isfinite(distance) && sees_all(light.position, way * (1 / distance), survey)) {
-        pencil.face[0] = rounded(across(way * (1 / distance)));
+        pencil.face[0] = rounded_basis(across(way * (1 / distance)));
         return pencil;
     }
     pencil.faces = 0;
     for (const double sign : {-1.0, 1.0})
         for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
-            pencil.face[pencil.faces++] = rounded(across(axis * sign));
+            pencil.face[pencil.faces++] = rounded_basis(across(axis * sign));
     return pencil;
 }
 
-Apex eye_apex(const Camera& camera, const Frame& frame) { return apex_of(frame.place(camera.eye)); }
-
-Apex point_apex(const PointPencil& pencil, const Camera& camera, const Frame& frame) {
-    return apex_of(frame.place(camera.eye) + widened(pencil.origin));
+template <class real>
+ApexOf<real> eye_apex(const Camera& camera, const Frame& frame) {
+    return apex_of<real>(frame.place(camera.eye), {});
 }
 
-Float3 lambert_factor(const DirectionalLight& light, double) {
+template <class real>
+ApexOf<real> point_apex(const PointPencilOf<real>& pencil, const Camera& camera, const Frame& frame) {
+    return apex_of<real>(frame.place(camera.eye), widened(pencil.origin));
+}
+
+template <class real>
+Real3Of<real> lambert_factor(const DirectionalLight& light, double) {
     const Rgb& e = light.irradiance;
-    return rounded(Vec3{e.r, e.g, e.b} * (1 / pi));
+    return rounded<real>(Vec3{e.r, e.g, e.b} * (1 / pi));
 }
 
-Float3 lambert_factor(const PointLight& light, double unit) {
+template <class real>
+Real3Of<real> lambert_factor(const PointLight& light, double unit) {
     const Rgb& p = light.power;
     // Divided twice: the square of an extreme unit may be out of range where the scaled power is not.
-    return rounded(Vec3{p.r, p.g, p.b} * (1 / unit) * (1 / unit) * (1 / (4 * pi * pi)));
+    return rounded<real>(Vec3{p.r, p.g, p.b} * (1 / unit) * (1 / unit) * (1 / (4 * pi * pi)));
 }
+
+float base_doubt(const Scene& scene, const Survey& survey, const Frame& frame) {
+    const auto size = [&](const Vec3& p) { return length(frame.place(p)); };
+    double largest = std::max({size(survey.low), size(survey.high), size(scene.camera.eye)}) +
+                     2 * length((survey.high - survey.low) * (1 / frame.unit)) + survey.largest_radius / frame.unit;
+    for (const Light& light : scene.lights)
+        if (const auto* point = std::get_if<PointLight>(&light)) largest = std::max(largest, size(point->position));
+    return static_cast<float>(std::ldexp(largest, -46));
+}
+
+template EyePencilOf<float> eye_pencil(const Camera&, const ImageSize&);
+template ParallelPencilOf<float> parallel_pencil(const DirectionalLight&);
+template PointPencilOf<float> point_pencil(const PointLight&, const Camera&, const Survey&, const Frame&);
+template ApexOf<float> eye_apex(const Camera&, const Frame&);
+template ApexOf<float> point_apex(const PointPencilOf<float>&, const Camera&, const Frame&);
+template Real3Of<float> lambert_factor(const DirectionalLight&, double);
+template Real3Of<float> lambert_factor(const PointLight&, double);
+template EyePencilOf<double> eye_pencil(const Camera&, const ImageSize&);
+template ParallelPencilOf<double> parallel_pencil(const DirectionalLight&);
+template PointPencilOf<double> point_pencil(const PointLight&, const Camera&, const Survey&, const Frame&);
+template ApexOf<double> eye_apex(const Camera&, const Frame&);
+template ApexOf<double> point_apex(const PointPencilOf<double>&, const Camera&, const Frame&);
+template Real3Of<double> lambert_factor(const DirectionalLight&, double);
+template Real3Of<double> lambert_factor(const PointLight&, double);
 
 }  // namespace gnomon

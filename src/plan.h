@@ -38,7 +38,9 @@ enum class Kernel {
     intersect_closest,
     intersect_shadow,
     shade_light,
-    resolve  // once a tile
+    resolve,
+    list_undecided,  // once a tile
+    refine_rays      // once a batch of undecided pixels
 };
 const char* to_string(Kernel kernel);
 
@@ -52,14 +54,18 @@ enum class Shadows { off, read, traced };
 struct Variant {
     Kernel kernel;
     std::vector<std::string> defines;
+    Accuracy accuracy = Accuracy::strict;
 
     std::string options() const;  ///< "-D LANES=16 ..."
-    bool operator==(const Variant& other) const { return kernel == other.kernel && defines == other.defines; }
+    bool operator==(const Variant& other) const {
+        return kernel == other.kernel && defines == other.defines && accuracy == other.accuracy;
+    }
 };
 
 /// A kernel of those before the tiles: whether spheres have rests and ids (sphere_rows.h), whether the pencil is
-/// parallel; what does not matter to it is left out.
-Variant sphere_variant(Kernel kernel, bool has_rests = false, bool is_parallel = false, bool has_ids = false);
+/// parallel, how rays are computed; what does not matter to it is left out.
+Variant sphere_variant(Kernel kernel, Accuracy accuracy, bool has_rests = false, bool is_parallel = false,
+                       bool has_ids = false);
 
 /// One launch of every tile's chain; each waits for the one before it.
 struct Step {
@@ -73,6 +79,7 @@ struct Step {
 
 struct Plan {
     ImageSize image;
+    Accuracy accuracy = Accuracy::strict;
     int lanes = 1, packets = 1;  ///< rays a vector, vectors a work-item
     int local_size = 1;          ///< work-items a group, the same for all launches but
     int slice_local_size = 1;    ///< those over the slices of a sort
@@ -90,6 +97,7 @@ struct Plan {
     int64_t spheres = 0;
     bool has_rests = false;  ///< their numbers are not all floats
     MemoryPlan memory;
+    bool certified = false;        ///< the pixels that rounding may have decided are listed
     bool albedos_of_rays = false;  ///< looked up by the host when all hits are known, since no chunk has all
 
     int rays_per_item() const { return lanes * packets; }
@@ -106,5 +114,9 @@ constexpr int tile_sets = 2;
 /// Of the spheres only what the survey says is looked at. Throws Error(Blame::input) for lanes or a tile that cannot
 /// be, Error(Blame::run) when the scene does not fit the device.
 Plan make_plan(const Scene& scene, const Survey& survey, const RenderOptions& options, const DeviceLimits& limits);
+
+/// What computes the pixels that a certified plan leaves undecided: in double, so many at a time, none of it resolved.
+constexpr int refinement_batch = 1 << 15;
+Plan make_refinement_plan(const Plan& plan, const Scene& scene);
 
 }  // namespace gnomon

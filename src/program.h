@@ -28,11 +28,13 @@ class Programs {
     bool has(const Variant& variant) const { return built_.count(key(variant)) > 0; }
 
   private:
+    std::string options(const Variant& variant) const;
     std::string key(const Variant& variant) const;  // kernel and options, as the compiler sees them
 
     cl::Context context_;
     cl::Device device_;
     std::string device_name_;
+    bool correctly_rounded_;
     std::string common_options_;
     std::map<std::string, BuiltKernel> built_;
 };

@@ -5,9 +5,11 @@
 #include <optional>
 #include <utility>
 
+#include "certify.h"
 #include "clock.h"
 #include "error.h"
 #include "program.h"
+#include "refine.h"
 #include "scheduler.h"
 
 namespace gnomon {
@@ -44,6 +46,7 @@ bool fits(const Film& film, const ImageSize& image, const Outputs& outputs) {
 
 RenderStats planned(const Plan& plan, const Scene& scene) {
     RenderStats stats;
+    stats.accuracy = plan.accuracy;
     stats.lanes = plan.lanes;
     stats.packets = plan.packets;
     stats.tiles = static_cast<int>(plan.tiles.size());
@@ -105,7 +108,7 @@ struct Renderer::State {
     cl::CommandQueue queue;
     Programs programs;
     DeviceMemory memory;
-    TilePool tiles;
+    TilePool tiles, refined_tiles;
     std::optional<Still> still;  // of the last picture
 
     explicit State(const DeviceInfo& i)
@@ -115,7 +118,8 @@ struct Renderer::State {
           queue(make_queue(context, device, i)),
           programs(context, device, i),
           memory(context, i.shares_memory),
-          tiles() {}
+          tiles(),
+          refined_tiles() {}
 
     std::vector<cl::Kernel> build(const Plan& plan, RenderStats& stats) {
         std::vector<cl::Kernel> kernels;
@@ -174,12 +178,35 @@ struct Renderer::State {
         const double asked_at = now();
         Scheduler scheduler(context, queue, memory, job.plan, buffers, tiles.get(memory, job.plan), kernels, film);
         if (chunks) scheduler.take_spheres_from(*chunks);
-        measured(job.plan, scheduler.run(ready, job.options.progress), stats);
+        const Measured run = scheduler.run(ready, job.options.progress);
+        measured(job.plan, run, stats);
         const double prepared_at = asked_at + (ready.empty() ? 0 : seconds_since_asked(ready.front()));
         add(job.plan, launcher.take_launched(), stats);
         stats.chunks = chunks ? chunks->chunks() : 1;
         stats.prepare_seconds += prepared_at - start;
+        if (!run.undecided.empty()) decide_again(job, spheres, run.undecided, film, stats);
         stats.trace_seconds = now() - prepared_at;
+    }
+
+    /// In double where the device has it, and exactly what is left.
+    void decide_again(const Job& job, const Still& spheres, const std::vector<int>& pixels, Film& film,
+                      RenderStats& stats) {
+        stats.undecided = static_cast<int64_t>(pixels.size());
+        const double start = now();
+        std::vector<int> left = pixels;
+        if (info.fp64) {
+            const Plan plan = make_refinement_plan(job.plan, job.scene);
+            Launcher launcher(queue, programs);
+            SphereKernels kernels(memory, launcher, plan);
+            SceneBuffers buffers = prepare(kernels, job.scene, job.survey, job.frame, &spheres.clusters, plan);
+            buffers.albedos = spheres.rows.albedos;
+            Refinement refinement(context, queue, memory, programs, plan, buffers,
+                                  refined_tiles.get(memory, plan).front(), film);
+            left = refinement.refine(pixels, launcher.last());
+        }
+        stats.decided_exactly = static_cast<int64_t>(left.size());
+        decide_exactly(job.scene, job.options.shadows, left, job.frame.unit, film);
+        stats.decide_seconds = now() - start;
     }
 
     static void measured(const Plan& plan, const Measured& measured, RenderStats& stats) {
@@ -206,6 +233,7 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 RenderStats Renderer::render(const Scene& scene, const RenderOptions& options, Film& film) try {
+    check_accuracy(options.accuracy, state_->info);
     const double start = now();
     std::optional<Still>& still = state_->still;
     if (!options.same_spheres) still.reset();

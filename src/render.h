@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "accuracy.h"
 #include "device.h"
 #include "film.h"
 #include "scene.h"
@@ -16,6 +17,7 @@ namespace gnomon {
 struct RenderOptions {
     Outputs outputs;
     bool shadows = true;
+    Accuracy accuracy = Accuracy::strict;
     int lanes = 0;        ///< rays a vector: 1, 4, 8 or 16; 0 lets the plan choose
     uint64_t memory = 0;  ///< bytes of the device that may be used; 0: all that it offers
     int tile = 0;         ///< rays a tile, rounded to whole 8 x 8 blocks; 0 lets the plan choose
@@ -36,6 +38,7 @@ struct KernelStats {
 };
 
 struct RenderStats {
+    Accuracy accuracy = Accuracy::strict;
     int lanes = 0, packets = 0, tiles = 0;
     int64_t tile_rays = 0;
     int64_t planned_bytes = 0, peak_bytes = 0;  ///< of the device: what the plan said, and what it came to
@@ -45,13 +48,17 @@ struct RenderStats {
     double build_seconds = 0;    ///< kernels; 0 when they were built before
     double trace_seconds = 0;    ///< from the first launch to the last value in the film
     std::vector<KernelStats> kernels;
+    int64_t undecided = 0;  ///< pixels that rounding may have decided, and that were decided again
+    int64_t decided_exactly = 0;
+    double decide_seconds = 0;
 
     /// Eye rays, and one shadow ray for each hit and light when shadows are on.
     int64_t rays = 0;
 };
 
 /// Renders on one device; keeps its context and the kernels that were built between pictures.
-/// Throws Error(Blame::run) when the device or its compiler fails.
+/// Throws Error(Blame::run) when the device or its compiler fails, Error(Blame::input) for an accuracy that the device
+/// does not have.
 class Renderer {
   public:
     explicit Renderer(const DeviceInfo& device);

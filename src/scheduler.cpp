@@ -32,7 +32,8 @@ Scheduler::Scheduler(const cl::Context& context, const cl::CommandQueue& queue, 
         groups_ += static_cast<int>(groups(Kernel::intersect_closest, tile));
     }
     hit_counts_ = memory.room<int>(groups_);
-    binder_.emplace(context, plan, scene, film, hit_counts_);
+    undecided_ = memory.room<int>(plan.certified ? 1 + int64_t{plan.image.width} * plan.image.height : 1);
+    binder_.emplace(context, plan, scene, film, hit_counts_, undecided_);
 }
 
 Measured Scheduler::run(const std::vector<cl::Event>& after, const std::function<void(double)>& progress) {
@@ -45,7 +46,9 @@ Measured Scheduler::run(const std::vector<cl::Event>& after, const std::function
     const size_t count = plan_.tiles.size();
     cl::Event cleared;
     queue_.enqueueFillBuffer(hit_counts_, 0, 0, static_cast<size_t>(groups_) * sizeof(int), &after, &cleared);
-    for (Slot& slot : slots_) slot.busy = {cleared};
+    cl::Event emptied;
+    queue_.enqueueFillBuffer(undecided_, 0, 0, sizeof(int), &after, &emptied);
+    for (Slot& slot : slots_) slot.busy = {cleared, emptied};
     for (size_t tile = 0; tile < count; ++tile) {
         enqueue(tile);
         if (tile >= tiles_ahead) await(tile - tiles_ahead, progress);
@@ -57,6 +60,7 @@ Measured Scheduler::run(const std::vector<cl::Event>& after, const std::function
     queue_.enqueueReadBuffer(hit_counts_, CL_FALSE, 0, hits.size() * sizeof(int), hits.data());
     if (plan_.write_in_place) map_film();
     queue_.finish();
+    if (plan_.certified) read_undecided();
     measured_.hits = std::accumulate(hits.begin(), hits.end(), int64_t{0});
     return measured_;
 }
@@ -141,6 +145,15 @@ void Scheduler::collect(size_t tile) {
         measured_.seconds[static_cast<size_t>(l.variant)] += seconds_of(l.event);
     }
     launched_[tile].clear();
+}
+
+void Scheduler::read_undecided() {
+    int count = 0;
+    queue_.enqueueReadBuffer(undecided_, CL_TRUE, 0, sizeof count, &count);
+    measured_.undecided.resize(static_cast<size_t>(count));
+    if (count > 0)
+        queue_.enqueueReadBuffer(undecided_, CL_TRUE, sizeof(int), measured_.undecided.size() * sizeof(int),
+                                 measured_.undecided.data());
 }
 
 /// A buffer over host memory shows its values there once it is mapped (OpenCL 1.2, 5.2.1); on a device that shares the

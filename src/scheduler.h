@@ -18,6 +18,7 @@ struct Measured {
     std::vector<int> launches;
     std::vector<double> seconds;
     int64_t hits = 0;
+    std::vector<int> undecided;  ///< pixels, as places in the image row by row, in any order
 };
 
 /// One run of one plan. The film must have the plan's size and the planes that its steps resolve.
@@ -55,6 +56,7 @@ class Scheduler {
     void read_planes(Output output, const Tile& tile, Slot& slot);
     void await(size_t tile, const std::function<void(double)>& progress);
     void collect(size_t tile);
+    void read_undecided();
     void map_film();
 
     cl::CommandQueue queue_;
@@ -66,6 +68,7 @@ class Scheduler {
     std::vector<Slot> slots_;
     std::vector<std::vector<Launched>> launched_;  // for each tile
     cl::Buffer hit_counts_;                        // for each work-group of intersect_closest, tile after tile
+    cl::Buffer undecided_;                         // how many, and which
     std::vector<int> first_groups_;                // of each tile, in hit_counts_
     int groups_ = 0;                               // of all tiles
     std::optional<Binder> binder_;

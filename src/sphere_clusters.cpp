@@ -51,18 +51,6 @@ RowBuffers upload(const DeviceMemory& memory, const SphereRows& rows) {
     return buffers;
 }
 
-PencilView view_of_eye(const Camera& camera, const Frame& frame) {
-    return {eye_apex(camera, frame), {}, false, {eye_basis(camera)}};
-}
-
-PencilView view_of(const ParallelPencil& pencil, const Camera& camera, const Frame& frame) {
-    return {eye_apex(camera, frame), pencil, true, {pencil.basis}};
-}
-
-PencilView view_of(const PointPencil& pencil, const Camera& camera, const Frame& frame) {
-    return {point_apex(pencil, camera, frame), {}, false, {pencil.face, pencil.face + pencil.faces}};
-}
-
 struct SphereKernels::Pairs {
     cl::Buffer sorted, other, counts, totals;
 };
@@ -73,18 +61,18 @@ void SphereKernels::sort(Pairs& pairs, const RowBuffers& rows, int word, bool fi
     const Grid grid(survey, frame);
     const int count = rows.count, slices = plan_.slices(count), all = groups_of_16(count), local = plan_.local_size;
     const auto middle = static_cast<float>(survey.middle_radius / frame.unit);
-    launcher_.launch(sphere_variant(Kernel::sphere_keys, rows.has_rests), all, local, rows.rows, rows.rests,
-                     rows.columns, pairs.sorted, first ? 1 : 0, word, grid.low, grid.scale, middle, count, all,
-                     pairs.other);
+    launcher_.launch(sphere_variant(Kernel::sphere_keys, plan_.accuracy, rows.has_rests), all, local, rows.rows,
+                     rows.rests, rows.columns, pairs.sorted, first ? 1 : 0, word, grid.low, grid.scale, middle, count,
+                     all, pairs.other);
     std::swap(pairs.sorted, pairs.other);
     for (int shift = 0; shift < 32; shift += DIGIT_BITS) {
         launcher_.fill_with_zeros(pairs.totals);
-        launcher_.launch(sphere_variant(Kernel::count_digits), slices, plan_.slice_local_size, pairs.sorted, count,
-                         shift, slices, pairs.counts, pairs.totals);
-        launcher_.launch(sphere_variant(Kernel::scan_counts), DIGITS, local, slices, DIGITS, pairs.counts,
-                         pairs.totals);
-        launcher_.launch(sphere_variant(Kernel::scatter_pairs), slices, plan_.slice_local_size, pairs.sorted, count,
-                         shift, slices, pairs.counts, pairs.other);
+        launcher_.launch(sphere_variant(Kernel::count_digits, plan_.accuracy), slices, plan_.slice_local_size,
+                         pairs.sorted, count, shift, slices, pairs.counts, pairs.totals);
+        launcher_.launch(sphere_variant(Kernel::scan_counts, plan_.accuracy), DIGITS, local, slices, DIGITS,
+                         pairs.counts, pairs.totals);
+        launcher_.launch(sphere_variant(Kernel::scatter_pairs, plan_.accuracy), slices, plan_.slice_local_size,
+                         pairs.sorted, count, shift, slices, pairs.counts, pairs.other);
         std::swap(pairs.sorted, pairs.other);
     }
 }
@@ -94,7 +82,7 @@ bool SphereKernels::find_duplicates(const Pairs& pairs, const RowBuffers& rows, 
                                     const cl::Buffer& order) {
     const cl::Buffer crowded = memory_.room<int>(1);
     launcher_.fill_with_zeros(crowded);
-    launcher_.launch(sphere_variant(Kernel::find_duplicates, rows.has_rests), groups_of_16(rows.count),
+    launcher_.launch(sphere_variant(Kernel::find_duplicates, plan_.accuracy, rows.has_rests), groups_of_16(rows.count),
                      plan_.local_size, rows.rows, rows.rests, rows.columns, pairs.sorted, hashed ? 1 : 0, longest,
                      rows.count, groups_of_16(rows.count), order, crowded);
     return longest == any_run || launcher_.read_int(crowded) == 0;
@@ -127,27 +115,28 @@ ClusterBuffers SphereKernels::gather(const RowBuffers& rows, const Survey& surve
     }
     result.clusters = memory_.room<Cluster>(result.shape.clusters);
     result.rests = memory_.room<ClusterRest>(rows.has_rests ? result.shape.clusters : 1);
-    launcher_.launch(sphere_variant(Kernel::gather_spheres, rows.has_rests, false, rows.has_ids), result.shape.clusters,
-                     plan_.local_size, rows.rows, rows.rests, rows.columns, order, rows.ids, rows.first_id, rows.count,
-                     result.shape.clusters, result.clusters, result.rests);
+    launcher_.launch(sphere_variant(Kernel::gather_spheres, plan_.accuracy, rows.has_rests, false, rows.has_ids),
+                     result.shape.clusters, plan_.local_size, rows.rows, rows.rests, rows.columns, order, rows.ids,
+                     rows.first_id, rows.count, result.shape.clusters, result.clusters, result.rests);
     return result;
 }
 
 SphereBuffers SphereKernels::project(const ClusterBuffers& spheres, const PencilView& view) {
     const HierarchyShape& shape = spheres.shape;
-    SphereBuffers result{memory_.room<PencilCluster>(shape.clusters), {}, shape.levels(), shape.last()};
+    const auto room = [&](auto real) { return memory_.room<PencilClusterOf<decltype(real)>>(shape.clusters); };
+    SphereBuffers result{with_real(plan_.accuracy, room), {}, shape.levels(), shape.last()};
     result.nodes = memory_.room<Node>(static_cast<int64_t>(view.faces.size()) * shape.all_nodes());
-    launcher_.launch(sphere_variant(Kernel::project_spheres, spheres.has_rests, view.is_parallel), shape.clusters,
-                     plan_.local_size, spheres.clusters, spheres.rests, view.apex, view.parallel, shape.clusters,
-                     result.clusters);
+    launcher_.launch(sphere_variant(Kernel::project_spheres, plan_.accuracy, spheres.has_rests, view.is_parallel),
+                     shape.clusters, plan_.local_size, spheres.clusters, spheres.rests, view.apex, view.parallel,
+                     shape.clusters, result.clusters);
     if (!shape.is_flat()) bound(result, shape, view);
     return result;
 }
 
 /// Level by level, for each face.
 void SphereKernels::bound(const SphereBuffers& spheres, const HierarchyShape& shape, const PencilView& view) {
-    const Variant lowest = sphere_variant(Kernel::bound_clusters, false, view.is_parallel);
-    const Variant upper = sphere_variant(Kernel::bound_nodes, false, view.is_parallel);
+    const Variant lowest = sphere_variant(Kernel::bound_clusters, plan_.accuracy, false, view.is_parallel);
+    const Variant upper = sphere_variant(Kernel::bound_nodes, plan_.accuracy, false, view.is_parallel);
     for (size_t face = 0; face < view.faces.size(); ++face) {
         const int origin = static_cast<int>(face) * shape.all_nodes();
         launcher_.launch(lowest, shape.nodes[0], plan_.local_size, spheres.clusters, view.faces[face], shape.clusters,

@@ -33,14 +33,25 @@ struct SphereBuffers {
 
 /// From where a pencil sees spheres, and the faces for which it keeps bounds.
 struct PencilView {
-    Apex apex{};
-    ParallelPencil parallel{};  ///< used if is_parallel
+    Either<ApexOf> apex;
+    Either<ParallelPencilOf> parallel;  ///< used if is_parallel
     bool is_parallel = false;
     std::vector<Basis> faces;
 };
-PencilView view_of_eye(const Camera& camera, const Frame& frame);
-PencilView view_of(const ParallelPencil& pencil, const Camera& camera, const Frame& frame);
-PencilView view_of(const PointPencil& pencil, const Camera& camera, const Frame& frame);
+template <class real = float>
+PencilView view_of_eye(const Camera& camera, const Frame& frame) {
+    return {eye_apex<real>(camera, frame), ParallelPencilOf<real>{}, false, {eye_basis(camera)}};
+}
+/// The clusters are then in the pencil's basis, and bounds look at no other.
+template <class real>
+PencilView view_of(const ParallelPencilOf<real>& pencil, const Camera& camera, const Frame& frame) {
+    return {eye_apex<real>(camera, frame), pencil, true, {Basis{}}};
+}
+template <class real>
+PencilView view_of(const PointPencilOf<real>& pencil, const Camera& camera, const Frame& frame) {
+    return {
+        point_apex(pencil, camera, frame), ParallelPencilOf<real>{}, false, {pencil.face, pencil.face + pencil.faces}};
+}
 
 /// Builds hierarchies on one device.
 class SphereKernels {

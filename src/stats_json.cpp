@@ -59,6 +59,7 @@ Json to_json(const RunStats& run, const Scene& scene, const DeviceInfo& device) 
     json["program"] = "gnomon " GNOMON_VERSION;
     json["device"] = to_json(device);
     json["scene"] = {{"file", run.scene_path}, {"sha1", scene.sha1}, {"spheres", r.spheres}, {"lights", r.lights}};
+    json["accuracy"] = to_string(r.accuracy);
     json["image"] = {{"width", scene.image.width}, {"height", scene.image.height}};
     json["plan"] = {{"lanes", r.lanes}, {"packets", r.packets}, {"tile_rays", r.tile_rays},
                     {"tiles", r.tiles}, {"chunks", r.chunks},   {"planned_bytes", r.planned_bytes}};
@@ -79,10 +80,11 @@ std::string summary(const RunStats& run, const DeviceInfo& device, const ImageSi
     const RenderStats& r = run.render;
     const Check& c = run.check;
     return fmt::format(
-        "{}: {}x{}, {} spheres, {} lights; load {:.3f} s, device {:.3f}, build {:.3f}, prepare {:.3f}, trace {:.3f}, "
+        "{}: {}x{}, {} spheres, {} lights, {}; load {:.3f} s, device {:.3f}, build {:.3f}, prepare {:.3f}, trace "
+        "{:.3f}, "
         "write {:.3f}; {:.0f} Mrays/s, of {} pixels {} wrong, else within {:.1e} of double",
-        device.name, image.width, image.height, r.spheres, r.lights, run.load_seconds, run.device_seconds,
-        r.build_seconds, r.prepare_seconds, r.trace_seconds, run.write_seconds,
+        device.name, image.width, image.height, r.spheres, r.lights, to_string(r.accuracy), run.load_seconds,
+        run.device_seconds, r.build_seconds, r.prepare_seconds, r.trace_seconds, run.write_seconds,
         mrays_per_second(r.rays, r.trace_seconds), c.pixels, std::max(c.wrong_ids, c.flips),
         std::max(c.max_radiance, c.max_distance));
 }

@@ -9,12 +9,18 @@
 namespace gnomon::test {
 
 /// What one pencil sees of a scene, read back.
-struct PencilSpheres {
-    std::vector<PencilCluster> clusters;
+template <class real>
+struct PencilSpheresOf {
+    std::vector<PencilClusterOf<real>> clusters;
     std::vector<Node> nodes;  ///< of all its faces
     int levels = 0, last = 0;
     std::string walk = "WALK_NODES";  ///< cl/types.h
 };
+using PencilSpheres = PencilSpheresOf<float>;
+
+/// With which kernels compute in this type.
+template <class real>
+constexpr Accuracy accuracy_of = sizeof(real) == sizeof(double) ? Accuracy::full : Accuracy::strict;
 
 template <class T>
 std::vector<T> read_back(Bench& bench, const cl::Buffer& buffer, size_t count) {
@@ -43,10 +49,13 @@ class DeviceSpheres {
         SphereKernels kernels(memory_, launcher_, plan_);
         buffers = kernels.gather(upload(memory_, rows_), survey, frame);
     }
-    PencilSpheres seen(const PencilView& view) {
+    /// The view must be one of the same reals.
+    template <class real = float>
+    PencilSpheresOf<real> seen(const PencilView& view) {
+        plan_.accuracy = accuracy_of<real>;
         const SphereBuffers seen = SphereKernels(memory_, launcher_, plan_).project(buffers, view);
         const HierarchyShape& shape = buffers.shape;
-        return {read_back<PencilCluster>(bench_, seen.clusters, static_cast<size_t>(shape.clusters)),
+        return {read_back<PencilClusterOf<real>>(bench_, seen.clusters, static_cast<size_t>(shape.clusters)),
                 read_back<Node>(bench_, seen.nodes, view.faces.size() * static_cast<size_t>(shape.all_nodes())),
                 seen.levels, seen.last, seen.levels > 0 ? "WALK_NODES" : "WALK_CLUSTERS"};
     }
@@ -66,16 +75,18 @@ class DeviceSpheres {
     SphereRows rows_;
 };
 
-inline PencilSpheres seen_from_eye(Bench& bench, const Scene& scene) {
+template <class real = float>
+PencilSpheresOf<real> seen_from_eye(Bench& bench, const Scene& scene) {
     DeviceSpheres spheres(bench, scene);
-    return spheres.seen(view_of_eye(scene.camera, spheres.frame));
+    return spheres.seen<real>(view_of_eye<real>(scene.camera, spheres.frame));
 }
 
+template <class real>
 struct GuardedSpheres {
-    GuardedBuffer<PencilCluster> clusters;
+    GuardedBuffer<PencilClusterOf<real>> clusters;
     GuardedBuffer<Node> nodes;
 
-    GuardedSpheres(Bench& bench, const PencilSpheres& spheres)
+    GuardedSpheres(Bench& bench, const PencilSpheresOf<real>& spheres)
         : clusters(bench, spheres.clusters),
           nodes(bench, spheres.nodes.empty() ? std::vector<Node>(1) : spheres.nodes) {}  // no buffer is empty
     void check_unchanged() const {
@@ -85,7 +96,8 @@ struct GuardedSpheres {
 };
 
 /// By brute force: every ray against every sphere, without bounds and nodes.
-inline PencilSpheres brute(PencilSpheres spheres) {
+template <class real>
+PencilSpheresOf<real> brute(PencilSpheresOf<real> spheres) {
     spheres.levels = 0;
     spheres.last = static_cast<int>(spheres.clusters.size()) - 1;
     spheres.walk = "WALK_SPHERES";

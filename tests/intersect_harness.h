@@ -9,34 +9,38 @@
 namespace gnomon::test {
 
 /// What intersect_closest writes.
-struct Hits {
-    std::vector<float> ts, normals;
+template <class real>
+struct HitsOf {
+    std::vector<real> ts, normals;
     std::vector<int> ids, counts;
 };
+using Hits = HitsOf<float>;
 
-inline bool same_bits(const Hits& a, const Hits& b) {
+template <class real>
+bool same_bits(const HitsOf<real>& a, const HitsOf<real>& b) {
     return same_bits(a.ts, b.ts) && same_bits(a.normals, b.normals) && same_bits(a.ids, b.ids);
 }
 
 /// Launches over packed directions; checks guards, inputs and the hits counted.
-inline Hits closest(Bench& bench, Width w, const Camera& camera, const PencilSpheres& spheres,
-                    const std::vector<float>& packed_dirs) {
+template <class real>
+HitsOf<real> closest(Bench& bench, Width w, const Camera& camera, const PencilSpheresOf<real>& spheres,
+                     const std::vector<real>& packed_dirs) {
     INFO(w);
     constexpr int first_group = 3, counted_before = 1000;
     const size_t rays = packed_dirs.size() / 3;
     const int items = static_cast<int>(rays) / w.rays();
     const auto groups = static_cast<size_t>((items + bench.local - 1) / bench.local);
-    const GuardedBuffer<float> dirs(bench, packed_dirs), ts(bench, rays), normals(bench, 3 * rays);
-    const GuardedSpheres in(bench, spheres);
+    const GuardedBuffer<real> dirs(bench, packed_dirs), ts(bench, rays), normals(bench, 3 * rays);
+    const GuardedSpheres<real> in(bench, spheres);
     const GuardedBuffer<int> ids(bench, rays), counts(bench, std::vector<int>(first_group + groups, counted_before));
-    bench.launch(
-        bench.programs
-            .get({Kernel::intersect_closest, w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_READ"})})
-            .kernel,
-        items, dirs.buffer(), EyePencil{}, Tile{}, eye_basis(camera), in.clusters.buffer(), in.nodes.buffer(),
-        spheres.levels, spheres.last, 1, items, ts.buffer(), normals.buffer(), ids.buffer(), first_group,
-        counts.buffer());
-    Hits hits{ts.read(), normals.read(), ids.read(), counts.read()};
+    bench.launch(bench.programs
+                     .get({Kernel::intersect_closest, w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_READ"}),
+                           accuracy_of<real>})
+                     .kernel,
+                 items, dirs.buffer(), EyePencilOf<real>{}, Tile{}, eye_basis(camera), in.clusters.buffer(),
+                 in.nodes.buffer(), spheres.levels, spheres.last, 1, items, ts.buffer(), normals.buffer(), ids.buffer(),
+                 first_group, counts.buffer(), real(0), ts.buffer());
+    HitsOf<real> hits{ts.read(), normals.read(), ids.read(), counts.read()};
     dirs.check_unchanged();
     in.check_unchanged();
     std::vector<int> expected(first_group + groups, counted_before);
@@ -47,10 +51,11 @@ inline Hits closest(Bench& bench, Width w, const Camera& camera, const PencilSph
 }
 
 /// By brute force, after checking that the hierarchy gives the same bits in all widths.
-inline Hits closest(Bench& bench, const Scene& scene, const std::vector<Float3>& rays) {
-    const PencilSpheres spheres = seen_from_eye(bench, scene);
-    const std::vector<float> dirs = packed(rays);
-    const Hits hits = closest(bench, widths[0], scene.camera, brute(spheres), dirs);
+template <class real>
+HitsOf<real> closest(Bench& bench, const Scene& scene, const std::vector<Real3Of<real>>& rays) {
+    const PencilSpheresOf<real> spheres = seen_from_eye<real>(bench, scene);
+    const std::vector<real> dirs = packed(rays);
+    const HitsOf<real> hits = closest(bench, widths[0], scene.camera, brute(spheres), dirs);
     for (const Width& w : widths) {
         INFO(w);
         CHECK(same_bits(closest(bench, w, scene.camera, spheres, dirs), hits));
@@ -64,7 +69,7 @@ inline Hits closest_of_pixels(Bench& bench, Width w, const Scene& scene, const T
     INFO(w << " " << spheres.walk);
     const size_t rays = static_cast<size_t>(tile.blocks) * BLOCK_RAYS;
     const int items = static_cast<int>(rays) / w.rays();
-    const GuardedSpheres in(bench, spheres);
+    const GuardedSpheres<float> in(bench, spheres);
     const GuardedBuffer<float> dirs(bench, 3 * rays), ts(bench, rays), normals(bench, 3 * rays);
     const GuardedBuffer<int> ids(bench, rays);
     const GuardedBuffer<int> counts(bench, std::vector<int>(static_cast<size_t>(items / bench.local + 1)));
@@ -72,21 +77,23 @@ inline Hits closest_of_pixels(Bench& bench, Width w, const Scene& scene, const T
                           w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_GENERATED"})};
     bench.launch(bench.programs.get(variant).kernel, items, dirs.buffer(), eye_pencil(scene.camera, scene.image), tile,
                  eye_basis(scene.camera), in.clusters.buffer(), in.nodes.buffer(), spheres.levels, spheres.last, 1,
-                 items, ts.buffer(), normals.buffer(), ids.buffer(), 0, counts.buffer());
+                 items, ts.buffer(), normals.buffer(), ids.buffer(), 0, counts.buffer(), 0.0f, ts.buffer());
     in.check_unchanged();
     if (dirs_out) *dirs_out = dirs.read();
     return {ts.read(), normals.read(), ids.read(), counts.read()};
 }
 
-inline bool is_miss(const Hits& hits, size_t ray) {
-    const Float3 n = unpacked(hits.normals, ray);
+template <class real>
+bool is_miss(const HitsOf<real>& hits, size_t ray) {
+    const Real3Of<real> n = unpacked(hits.normals, ray);
     return hits.ids[ray] == -1 && hits.ts[ray] == INFINITY && n.x == INFINITY && n.y == INFINITY && n.z == INFINITY;
 }
 
-/// How far the kernel may be off at one sphere, of centre f from the apex (a float, exact) and radius r, along d. With
-/// b = f . d, m the distance of the line from f, D = r^2 - m^2, C = |f|^2 - r^2:
+/// How far the kernel may be off at one sphere, of centre f from the apex (reals, exact) and radius r, along d; the
+/// unit roundoff of these reals is u. With b = f . d, m the distance of the line from f, D = r^2 - m^2, C = |f|^2 -
+/// r^2:
 ///
-/// The float direction is the rounding of a unit vector: its length is off by u. b: the dot product 3 u |f| (each term
+/// The direction is the rounding of a unit vector: its length is off by u. b: the dot product 3 u |f| (each term
 /// passes at most three roundings, Cauchy-Schwarz), the length u |f|: 4 u |f|.
 /// D, small form: what is wrong with b and the length moves f - b dir along the line only, by 4 + 1 = 5 u |f|, and so
 /// its square by 25 u^2 |f|^2; its own rounding is 2 u m^2, r^2's and three fma's 4 u max(r^2, m^2).
@@ -97,15 +104,16 @@ struct Doubt {
     double d_error;  ///< of the discriminant
     double t_error;  ///< of the distance that the kernel would choose
 };
-inline Doubt doubt(const Vec3& f, double r, const Vec3& d) {
+inline Doubt doubt(const Vec3& f, double r, const Vec3& d, double unit = u) {
     const double f2 = dot(f, f), b = dot(f, d), m2 = dot(cross(f, d), cross(f, d)), C = f2 - r * r, D = r * r - m2;
     const double length_f = std::sqrt(f2), root = std::sqrt(std::max(0.0, D));
-    const double e = r * r < f2 / 2 ? 25 * u * u * f2 + 2 * u * m2 + 4 * u * std::max(r * r, m2)
-                                    : 8 * u * std::fabs(b) * length_f + u * std::fabs(C) + u * std::fabs(D);
-    const double root_error = std::min(root > 0 ? e / root : INFINITY, std::sqrt(e)) + u * root;
-    const double q = b > 0 ? b + root : b - root, q_error = 4 * u * length_f + root_error + u * std::fabs(q);
-    const double t_error = C > 0 || b <= 0 ? std::fabs(C / q) * (q_error / (std::fabs(q) - q_error) + 2 * u) : q_error;
-    return {1.01 * e, 1.01 * t_error};  // a hundredth for what is of higher order in u
+    const double e = r * r < f2 / 2 ? 25 * unit * unit * f2 + 2 * unit * m2 + 4 * unit * std::max(r * r, m2)
+                                    : 8 * unit * std::fabs(b) * length_f + unit * std::fabs(C) + unit * std::fabs(D);
+    const double root_error = std::min(root > 0 ? e / root : INFINITY, std::sqrt(e)) + unit * root;
+    const double q = b > 0 ? b + root : b - root, q_error = 4 * unit * length_f + root_error + unit * std::fabs(q);
+    const double t_error =
+        C > 0 || b <= 0 ? std::fabs(C / q) * (q_error / (std::fabs(q) - q_error) + 2 * unit) : q_error;
+    return {1.01 * e, 1.01 * t_error};  // a hundredth for what is of higher order in unit
 }
 
 }  // namespace gnomon::test

@@ -168,8 +168,9 @@ inline Pixel pixel_of(const Tile& tile, size_t ray) {
 }
 
 /// Block order; the last block is filled up with `rest`.
-inline std::vector<float> packed(const std::vector<Float3>& rays, float rest = NAN) {
-    std::vector<float> values((rays.size() + BLOCK_RAYS - 1) / BLOCK_RAYS * BLOCK_RAYS * 3, rest);
+template <class real>
+std::vector<real> packed(const std::vector<Real3Of<real>>& rays, real rest = NAN) {
+    std::vector<real> values((rays.size() + BLOCK_RAYS - 1) / BLOCK_RAYS * BLOCK_RAYS * 3, rest);
     for (size_t i = 0; i < rays.size(); ++i) {
         values[place(i, 0, 3)] = rays[i].x;
         values[place(i, 1, 3)] = rays[i].y;
@@ -177,7 +178,8 @@ inline std::vector<float> packed(const std::vector<Float3>& rays, float rest = N
     }
     return values;
 }
-inline Float3 unpacked(const std::vector<float>& values, size_t ray) {
+template <class real>
+Real3Of<real> unpacked(const std::vector<real>& values, size_t ray) {
     return {values[place(ray, 0, 3)], values[place(ray, 1, 3)], values[place(ray, 2, 3)]};
 }
 

@@ -58,6 +58,7 @@ TEST_CASE("a wrong command line exits with 2 and says what is wrong", "[cli]") {
     check_refused(run_program("render"), "SCENE");
     check_refused(run_program("render " + example_path("point.json") + " --fast"), "--fast");
     check_refused(render_small("--view colour"), "colour");
+    check_refused(render_small("--accuracy precise"), "expected fast, strict, certified or double");
     check_refused(render_small("--bits 12"), "12");
     check_refused(render_small("--lanes 3"), "--lanes");
     check_refused(render_small("--lanes many"), "many");

@@ -35,7 +35,7 @@ Grazed graze_lamp(Random& random, size_t group, bool end) {
 
 Grazed graze_sun(Random& random, size_t group, bool end, const DirectionalLight& sun) {
     const ParallelPencil pencil = parallel_pencil(sun);
-    const Vec3 sides[] = {to_double(pencil.basis.u), to_double(pencil.basis.v)}, l = to_double(pencil.basis.axis);
+    const Vec3 sides[] = {to_double(pencil.u), to_double(pencil.v)}, l = to_double(pencil.axis);
     Grazed g;
     for (size_t i = 0; i < 20 * BLOCK_RAYS / group; ++i) {
         const Vec3 middle = random.direction() * random.scale(1, 1e3);
@@ -55,7 +55,7 @@ Grazed graze_sun(Random& random, size_t group, bool end, const DirectionalLight&
 /// One bundle and one sphere, larger than either is far from the eye: the receiver's power decides.
 Grazed graze_large(Random& random, const DirectionalLight& sun) {
     const ParallelPencil pencil = parallel_pencil(sun);
-    const Vec3 sides[] = {to_double(pencil.basis.u), to_double(pencil.basis.v)}, l = to_double(pencil.basis.axis);
+    const Vec3 sides[] = {to_double(pencil.u), to_double(pencil.v)}, l = to_double(pencil.axis);
     const double away = random.scale(1, 1e3), r = away * random.uniform(1.1, 3);
     const Vec3 out = sides[random.word() & 1] * (random.word() & 1 ? 1 : -1), middle = random.direction() * away;
     Grazed g;

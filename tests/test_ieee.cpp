@@ -11,22 +11,22 @@ namespace {
 const char* const kernels = R"(
 kernel void test_divide(global const float* a, global const float* b, int items, global float* result) {
     const int i = (int)get_global_id(0);
-    if (i < items) store_f(divide(load_f(a, i, 0), load_f(b, i, 0)), result, i, 0);
+    if (i < items) store_r(divide(load_r(a, i, 0), load_r(b, i, 0)), result, i, 0);
 }
 kernel void test_root(global const float* a, global const float* b, int items, global float* result) {
     const int i = (int)get_global_id(0);
-    if (i < items) store_f(square_root(load_f(a, i, 0)), result, i, 0);
+    if (i < items) store_r(square_root(load_r(a, i, 0)), result, i, 0);
 }
 kernel void test_correct_quotient(global const float* a, global const float* b, global const float* q,
                                   global const float* r, int items, global float* result) {
     const int i = (int)get_global_id(0);
     if (i < items)
-        store_f(correct_quotient(load_f(a, i, 0), load_f(b, i, 0), load_f(q, i, 0), load_f(r, i, 0)), result, i, 0);
+        store_r(correct_quotient(load_r(a, i, 0), load_r(b, i, 0), load_r(q, i, 0), load_r(r, i, 0)), result, i, 0);
 }
 kernel void test_correct_root(global const float* a, global const float* b, global const float* s,
                               global const float* h, int items, global float* result) {
     const int i = (int)get_global_id(0);
-    if (i < items) store_f(correct_root(load_f(a, i, 0), load_f(s, i, 0), load_f(h, i, 0)), result, i, 0);
+    if (i < items) store_r(correct_root(load_r(a, i, 0), load_r(s, i, 0), load_r(h, i, 0)), result, i, 0);
 }
 )";
 

@@ -13,7 +13,7 @@ kernel void test_lanes(global const int* a, global const float* b, int items, gl
     const int i = (int)get_global_id(0);
     if (i >= items) return;
     const intw v = load_i(a, i, 0);
-    const floatw f = load_f(b, i, 0);
+    const floatw f = load_r(b, i, 0);
     global int* to = ints + 8 * i;
     to[0] = REDUCE(or, v);
     to[1] = REDUCE(count, v);

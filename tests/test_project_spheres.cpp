@@ -22,9 +22,9 @@ Expected expected(const Vec3& center, double radius, const Vec3& apex, const Par
     const auto along = [&](const Float3& a) { return a.x * f[0] + a.y * f[1] + a.z * f[2]; };
     Expected e{f[0], f[1], f[2], f2 - r2, r2, std::sqrt(f2)};
     if (parallel) {
-        e.x = along(parallel->basis.u);
-        e.y = along(parallel->basis.v);
-        e.z = along(parallel->basis.axis);
+        e.x = along(parallel->u);
+        e.y = along(parallel->v);
+        e.z = along(parallel->axis);
     }
     return e;
 }
@@ -50,7 +50,8 @@ void check_seen(Bench& bench, const Scene& scene, const PencilView& view, const 
             }
             const Sphere& s = scene.spheres[static_cast<size_t>(c.id[i])];
             INFO("sphere " << c.id[i] << ", radius " << s.radius);
-            const Expected e = expected(s.center, s.radius, apex, view.is_parallel ? &view.parallel : nullptr);
+            const Expected e = expected(s.center, s.radius, apex,
+                                        std::get_if<ParallelPencil>(view.is_parallel ? &view.parallel : nullptr));
             const Long lost = 0x1p-47L * (from_origin(s.center) + from_origin(apex) + s.radius);
             check_near(c.x[i], e.x, lost);
             check_near(c.y[i], e.y, lost);

@@ -21,7 +21,7 @@ std::vector<Pair> one_pass(Bench& bench, const std::vector<Pair>& pairs, int shi
     const GuardedBuffer<Pair> in(bench, pairs), out(bench, pairs.size());
     const GuardedBuffer<uint32_t> counts(bench, static_cast<size_t>(slices) * DIGITS),
         totals(bench, std::vector<uint32_t>(DIGITS, 0));
-    const auto kernel = [&](Kernel k) { return bench.programs.get(sphere_variant(k)).kernel; };
+    const auto kernel = [&](Kernel k) { return bench.programs.get(sphere_variant(k, Accuracy::strict)).kernel; };
     bench.launch(kernel(Kernel::count_digits), slices, in.buffer(), count, shift, slices, counts.buffer(),
                  totals.buffer());
     bench.launch(kernel(Kernel::scan_counts), DIGITS, slices, DIGITS, counts.buffer(), totals.buffer());

@@ -25,7 +25,7 @@ using namespace gnomon;
 using Json = nlohmann::ordered_json;
 
 struct Options {
-    std::string device, json;
+    std::string device, json, accuracy = "strict";
     std::vector<std::string> scenes, files;
     std::vector<int> cores;
     int pinned = 0;  ///< as a child that runs on so many cores
@@ -50,6 +50,7 @@ void add_options(CLI::App& app, Options& o) {
     app.add_option("--runs", o.measure.runs, "timed frames a scene at most")->check(CLI::PositiveNumber);
     app.add_option("--limit", o.measure.limit, "seconds: fewer frames, or no peer, when they would take longer")
         ->check(CLI::PositiveNumber);
+    app.add_option("--accuracy", o.accuracy, "as gnomon's --accuracy");
     app.add_option("--lanes", o.measure.options.lanes, "as gnomon's --lanes");
     app.add_option("--tile", o.measure.options.tile, "as gnomon's --tile");
     app.add_option("--memory", o.measure.options.memory, "as gnomon's --memory")
@@ -166,6 +167,7 @@ int main(int argc, char** argv) try {
     add_options(app, options);
     pin_device_threads();
     CLI11_PARSE(app, argc, argv);
+    options.measure.options.accuracy = parse_accuracy(options.accuracy);
     if (!options.json.empty()) check_folder(options.json);
     Json reports = Json::array();
     if (options.cores.empty() || options.pinned > 0) {

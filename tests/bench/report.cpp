@@ -38,7 +38,8 @@ Json kernels(const OwnTimes& own) {
 }
 
 Json to_json(const OwnTimes& own) {
-    return {{"lanes", own.stats.lanes},
+    return {{"accuracy", to_string(own.stats.accuracy)},
+            {"lanes", own.stats.lanes},
             {"tile_rays", own.stats.tile_rays},
             {"tiles", own.stats.tiles},
             {"chunks", own.stats.chunks},

@@ -69,10 +69,10 @@ void print_scene(const SceneTimes& times, const SceneTimes* benign, const std::s
          fmt::format("{:.2f}", 1e3 * own.trace.median()), "1",
          benign ? share(own.frame.median(), benign->own.frame.median()) : "", error(own.check), "");
     if (times.peer) print_peer(times, benign, peer, limit);
-    fmt::print("  {}: {} spheres, {} lights, {}x{}, {} frames, {:.1f} Mrays/s, {} lanes, tiles of {} rays\n",
+    fmt::print("  {}: {} spheres, {} lights, {}x{}, {} frames, {:.1f} Mrays/s, {}, {} lanes, tiles of {} rays\n",
                times.about, own.stats.spheres, own.stats.lights, times.image.width, times.image.height,
                own.frame.seconds.size(), 1e-6 * static_cast<double>(own.stats.rays) / own.frame.median(),
-               own.stats.lanes, own.stats.tile_rays);
+               to_string(own.stats.accuracy), own.stats.lanes, own.stats.tile_rays);
     if (times.load_seconds) fmt::print("  loaded in {:.3f} s\n", *times.load_seconds);
     print_kernels(own);
     std::fflush(stdout);

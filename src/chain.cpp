@@ -1,0 +1,142 @@
+#include "chain.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace gnomon {
+
+namespace {
+
+/// Adds launches to a plan, and a kernel variant when a launch is the first to need it.
+class Chain {
+  public:
+    explicit Chain(Plan& plan) : plan_(plan) {}
+
+    void add(Step step, const std::vector<std::string>& defines, Accuracy accuracy) {
+        const Variant variant{step.kernel, defines, accuracy};
+        std::vector<Variant>& variants = plan_.variants;
+        const auto found = std::find(variants.begin(), variants.end(), variant);
+        step.variant = static_cast<int>(found - variants.begin());
+        if (found == variants.end()) variants.push_back(variant);
+        plan_.steps.push_back(step);
+    }
+    void add_lanes(Step step, std::vector<std::string> defines) {
+        defines.insert(defines.begin(),
+                       {"LANES=" + std::to_string(plan_.lanes), "PACKETS=" + std::to_string(plan_.packets)});
+        add(step, defines, plan_.accuracy);
+    }
+    /// For a kernel that meets the spheres.
+    void add_tracing(Step step, std::vector<std::string> defines) {
+        defines.push_back("WALK=" + plan_.walk());
+        if (step.kernel == Kernel::shade_light) {
+            defines.push_back(plan_.albedos_of_rays ? "ALBEDOS_OF_RAYS=1" : "ALBEDOS_OF_RAYS=0");
+            defines.push_back(plan_.resolve_radiance ? "RESOLVES=0" : "RESOLVES=1");
+            defines.push_back(stream());
+        } else {
+            defines.push_back(plan_.memory.cut ? "CHUNKS=1" : "CHUNKS=0");
+        }
+        if (plan_.certified) defines.push_back("CERTIFIED=1");
+        if (step.kernel == Kernel::intersect_closest)
+            defines.push_back(plan_.generate_rays ? "RAYS=RAYS_READ" : "RAYS=RAYS_GENERATED");
+        add_lanes(step, defines);
+    }
+    void resolve(Output output) {
+        Step step{Kernel::resolve, 0};
+        step.output = output;
+        // Ids are words, and so are floats to this kernel.
+        const bool doubles = computes_in_double(plan_.accuracy) && output != Output::id;
+        add(step, {stream()}, doubles ? plan_.accuracy : Accuracy::strict);
+    }
+
+  private:
+    std::string stream() const { return plan_.stream ? "STREAM=1" : "STREAM=0"; }
+
+    Plan& plan_;
+};
+
+const char* define(Shadows shadows) {
+    switch (shadows) {
+        case Shadows::off:
+            return "SHADOWS=SHADOWS_OFF";
+        case Shadows::read:
+            return "SHADOWS=SHADOWS_READ";
+        case Shadows::traced:
+            break;
+    }
+    return "SHADOWS=SHADOWS_TRACED";
+}
+
+bool shines(const Light& light) {
+    const auto any = [](const Rgb& c) { return c.r > 0 || c.g > 0 || c.b > 0; };
+    const auto* point = std::get_if<PointLight>(&light);
+    return any(point ? point->power : std::get<DirectionalLight>(light).irradiance);
+}
+
+void add_lights(Chain& chain, const Scene& scene, Shadows shadows) {
+    bool first = true;
+    for (size_t i = 0; i < scene.lights.size(); ++i) {
+        if (!shines(scene.lights[i])) continue;
+        const bool point = std::holds_alternative<PointLight>(scene.lights[i]);
+        const std::string kind = point ? "LIGHT=LIGHT_POINT" : "LIGHT=LIGHT_DIRECTIONAL";
+        Step step{Kernel::intersect_shadow, 0, static_cast<int>(i)};
+        if (shadows == Shadows::read) chain.add_tracing(step, {kind});
+        step.kernel = Kernel::shade_light;
+        step.first = std::exchange(first, false);
+        chain.add_tracing(step, {kind, define(shadows)});
+    }
+}
+
+}  // namespace
+
+void add_steps(Plan& plan, const Scene& scene, const RenderOptions& options) {
+    const Outputs& wanted = options.outputs;
+    const bool shaded = wanted.radiance && std::any_of(scene.lights.begin(), scene.lights.end(), shines);
+    if (plan.spheres == 0 || !(shaded || wanted.distance || wanted.normal || wanted.id)) return;
+    Chain chain(plan);
+    if (plan.generate_rays) chain.add_lanes({Kernel::generate_rays, 0}, {});
+    chain.add_tracing({Kernel::intersect_closest, 0}, {});
+    if (wanted.distance) chain.resolve(Output::distance);
+    if (wanted.normal) chain.resolve(Output::normal);
+    if (wanted.id) chain.resolve(Output::id);
+    if (shaded) {
+        add_lights(chain, scene, plan.shadows);
+        if (plan.resolve_radiance)
+            chain.resolve(Output::radiance);
+        else
+            plan.steps.back().resolves = true;
+    }
+    if (plan.certified) chain.add_lanes({Kernel::list_undecided, 0}, {});
+}
+
+void add_refinement_steps(Plan& plan, const Scene& scene, bool shaded) {
+    Chain chain(plan);
+    chain.add({Kernel::refine_rays, 0}, {"LANES=1", "PACKETS=1"}, plan.accuracy);
+    chain.add_tracing({Kernel::intersect_closest, 0}, {});
+    if (shaded) add_lights(chain, scene, plan.shadows);
+}
+
+void add_sphere_kernels(Plan& plan, const Scene& scene) {
+    const auto add = [&](Kernel kernel, bool parallel = false) {
+        const Variant variant = sphere_variant(kernel, plan.accuracy, plan.has_rests, parallel, plan.memory.cut);
+        std::vector<Variant>& all = plan.variants;
+        if (std::find(all.begin(), all.end(), variant) == all.end()) all.push_back(variant);
+    };
+    const auto add_view = [&](bool parallel) {
+        add(Kernel::project_spheres, parallel);
+        if (plan.flat()) return;
+        add(Kernel::bound_clusters, parallel);
+        add(Kernel::bound_nodes, parallel);
+    };
+    if (!plan.flat())
+        for (const Kernel kernel :
+             {Kernel::sphere_keys, Kernel::count_digits, Kernel::scan_counts, Kernel::scatter_pairs})
+            add(kernel);
+    add(Kernel::find_duplicates);
+    add(Kernel::gather_spheres);
+    add_view(false);
+    if (plan.shadows == Shadows::off || !plan.uses(Kernel::shade_light)) return;
+    for (const Light& light : scene.lights)
+        if (shines(light)) add_view(std::holds_alternative<DirectionalLight>(light));
+}
+
+}  // namespace gnomon

@@ -1,0 +1,111 @@
+#include "refine.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "certify.h"
+
+namespace gnomon {
+
+namespace {
+
+/// What kernels wrote for a batch of rays, in block order.
+struct Traced {
+    std::vector<double> ts, normals, doubts, radiance;
+    std::vector<int> ids;
+};
+
+/// Component c of n of ray k.
+size_t at(int k, size_t c, size_t n) {
+    const auto ray = static_cast<size_t>(k);
+    return (ray / BLOCK_RAYS * n + c) * BLOCK_RAYS + ray % BLOCK_RAYS;
+}
+
+Vec3 three(const std::vector<double>& values, int k) {
+    return {values[at(k, 0, 3)], values[at(k, 1, 3)], values[at(k, 2, 3)]};
+}
+
+template <class T>
+void read(const cl::CommandQueue& queue, const cl::Buffer& buffer, size_t count, std::vector<T>& values) {
+    values.resize(count);
+    queue.enqueueReadBuffer(buffer, CL_TRUE, 0, count * sizeof(T), values.data());
+}
+
+}  // namespace
+
+Refinement::Refinement(const cl::Context& context, const cl::CommandQueue& queue, const DeviceMemory& memory,
+                       Programs& programs, const Plan& plan, const SceneBuffers& scene, const TileBuffers& tile,
+                       Film& film)
+    : queue_(queue),
+      programs_(programs),
+      plan_(plan),
+      scene_(scene),
+      tile_(tile),
+      film_(film),
+      memory_(memory),
+      hit_counts_(memory.room<int>(refinement_batch)),
+      binder_(context, plan, scene, film, hit_counts_, hit_counts_) {}
+
+std::vector<int> Refinement::refine(const std::vector<int>& pixels, const std::vector<cl::Event>& after) {
+    last_ = after;
+    const auto all = static_cast<int>(pixels.size());
+    const cl::Buffer places = memory_.copy(pixels.data(), all);
+    std::vector<int> undecided;
+    for (int first = 0; first < all; first += refinement_batch) {
+        const int count = std::min(refinement_batch, all - first);
+        trace(places, first, count);
+        write(pixels.data() + first, count, undecided);
+    }
+    return undecided;
+}
+
+void Refinement::launch(const cl::Kernel& kernel, int items) {
+    const auto local = static_cast<size_t>(plan_.local_size), groups = (static_cast<size_t>(items) + local - 1) / local;
+    cl::Event done;
+    queue_.enqueueNDRangeKernel(kernel, cl::NullRange, groups * local, local, &last_, &done);
+    last_ = {done};
+}
+
+void Refinement::trace(const cl::Buffer& places, int first, int count) {
+    const int blocks = (count + BLOCK_RAYS - 1) / BLOCK_RAYS;
+    const Tile tile{0, 0, blocks, blocks};
+    for (const Step& step : plan_.steps) {
+        cl::Kernel kernel = programs_.get(plan_.variants[static_cast<size_t>(step.variant)]).kernel;
+        if (step.kernel == Kernel::refine_rays) {
+            set_arguments(kernel, scene_.eye, places, first, count, blocks * BLOCK_RAYS, tile_.dirs);
+            launch(kernel, blocks * BLOCK_RAYS);
+            continue;
+        }
+        const SphereBuffers& spheres =
+            step.light < 0 ? scene_.spheres : scene_.lights[static_cast<size_t>(step.light)].spheres;
+        binder_.bind(kernel, {step, tile, tile_, 0, &spheres});
+        launch(kernel, plan_.items(step.kernel, tile));
+    }
+    queue_.finish();
+    last_.clear();
+}
+
+void Refinement::write(const int* pixels, int count, std::vector<int>& undecided) {
+    const size_t rays = (static_cast<size_t>(count) + BLOCK_RAYS - 1) / BLOCK_RAYS * BLOCK_RAYS;
+    const bool shaded = plan_.uses(Kernel::shade_light);
+    Traced traced;
+    read(queue_, tile_.ts, rays, traced.ts);
+    read(queue_, tile_.normals, 3 * rays, traced.normals);
+    read(queue_, tile_.doubts, 2 * rays, traced.doubts);
+    read(queue_, tile_.ids, rays, traced.ids);
+    if (shaded) read(queue_, tile_.radiance, 3 * rays, traced.radiance);
+    for (int k = 0; k < count; ++k) {
+        if (!(traced.doubts[at(k, 0, 2)] < std::numeric_limits<double>::infinity())) {
+            undecided.push_back(pixels[k]);
+            continue;
+        }
+        const Vec3 radiance = shaded ? three(traced.radiance, k) : Vec3{0, 0, 0};
+        put(film_, static_cast<size_t>(pixels[k]),
+            {traced.ids[at(k, 0, 1)],
+             traced.ts[at(k, 0, 1)],
+             three(traced.normals, k),
+             {radiance.x, radiance.y, radiance.z}});
+    }
+}
+
+}  // namespace gnomon

@@ -1,0 +1,39 @@
+// The pixels that rounding may have decided, computed again in double with the same kernels.
+#pragma once
+
+#include <vector>
+
+#include "binder.h"
+#include "film.h"
+#include "program.h"
+
+namespace gnomon {
+
+/// Writes pixels of which double decides everything into the planes that the film has. `pixels` are places in the
+/// image, row by row; returns those of which it does not. `plan` is the refinement plan, `scene` and `tile` are its
+/// buffers.
+class Refinement {
+  public:
+    Refinement(const cl::Context& context, const cl::CommandQueue& queue, const DeviceMemory& memory,
+               Programs& programs, const Plan& plan, const SceneBuffers& scene, const TileBuffers& tile, Film& film);
+
+    std::vector<int> refine(const std::vector<int>& pixels, const std::vector<cl::Event>& after);
+
+  private:
+    void launch(const cl::Kernel& kernel, int items);
+    void trace(const cl::Buffer& places, int first, int count);
+    void write(const int* pixels, int count, std::vector<int>& undecided);
+
+    cl::CommandQueue queue_;
+    Programs& programs_;
+    const Plan& plan_;
+    const SceneBuffers& scene_;
+    const TileBuffers& tile_;
+    Film& film_;
+    const DeviceMemory& memory_;
+    cl::Buffer hit_counts_;
+    Binder binder_;
+    std::vector<cl::Event> last_;
+};
+
+}  // namespace gnomon
