@@ -140,7 +140,7 @@ TEST_CASE("what is not finite does not spoil the figures of what is", "[picture_
     CHECK(d.first_nonfinite->b == 5);
 }
 
-TEST_CASE("-0 equals 0, and the least float does not", "[picture_diff]") {
+TEST_CASE("a diff takes -0 and 0 as equal, and not the least float", "[picture_diff]") {
     const float least = std::numeric_limits<float>::denorm_min();
     CHECK(compare({-0.0f}, {0.0f}).different() == 0);
     const Differences d = compare({0, least}, {least, 2 * least});
