@@ -8,6 +8,7 @@
 // of a block against the spheres that their fat ray may meet.
 #include "eye_pencil.h"
 #include "fat_ray.h"
+#include "ray_buffers.h"
 #include "sphere.h"
 
 #define FAT FatRay
