@@ -1,8 +1,8 @@
 // resolve: from block order to rows.
 //
 // Reads blocks (`components` values a ray: words or, with -D REAL_IS_DOUBLE=1, doubles, which become floats). Writes
-// component c to rows of plane c (planes above `components` are not touched). One work-item: one row of two neighbouring
-// blocks, 16 pixels, which is a cache line.
+// component c to rows of plane c (planes above `components` are not touched). One work-item: one row of two
+// neighbouring blocks, 16 pixels, which is a cache line.
 #include "resolve.h"
 
 kernel void resolve(global const word* restrict blocks, const int components, const Tile tile, const Planes planes,
