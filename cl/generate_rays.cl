@@ -3,6 +3,7 @@
 // Reads nothing. Writes dirs (3 reals a ray, block order), NaN for pixels outside the image. One work-item: PACKETS *
 // LANES neighbouring rays of a block.
 #include "eye_pencil.h"
+#include "ray_buffers.h"
 
 kernel void generate_rays(const EyePencil eye, const Tile tile, const int items, global real* restrict dirs) {
     const int item = (int)get_global_id(0);

@@ -10,6 +10,7 @@
 #include "certify.h"
 #include "eye_pencil.h"
 #include "fat_ray.h"
+#include "ray_buffers.h"
 #include "sphere.h"
 
 #define FAT FatRay

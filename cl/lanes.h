@@ -143,38 +143,4 @@ static inline floatw dot_f(Float3 a, float3w b) {
 }
 static inline Float3 float3_of(Real3 a) { return (Float3){(float)a.x, (float)a.y, (float)a.z}; }
 
-// Where packet k of work-item `item` finds component c of n in a block-ordered buffer. Unsigned, so that dividing by
-// powers of two is shifting.
-static inline size_t lane_address(int item, int k, int c, int n) {
-    const uint first = (uint)item * (LANES * PACKETS);
-    return (size_t)(first / BLOCK_RAYS * (uint)n + (uint)c) * BLOCK_RAYS + first % BLOCK_RAYS + (uint)(k * LANES);
-}
-
-static inline realw load_r(global const real* p, int item, int k) {
-    return *(global const realw*)(p + lane_address(item, k, 0, 1));
-}
-static inline wholew load_i(global const int* p, int item, int k) {
-    return wholes_of(*(global const intw*)(p + lane_address(item, k, 0, 1)));
-}
-static inline vec3w load_3(global const real* p, int item, int k) {
-    return (vec3w){*(global const realw*)(p + lane_address(item, k, 0, 3)),
-                   *(global const realw*)(p + lane_address(item, k, 1, 3)),
-                   *(global const realw*)(p + lane_address(item, k, 2, 3))};
-}
-static inline void store_r(realw v, global real* p, int item, int k) {
-    *(global realw*)(p + lane_address(item, k, 0, 1)) = v;
-}
-static inline void store_2(realw x, realw y, global real* p, int item, int k) {
-    *(global realw*)(p + lane_address(item, k, 0, 2)) = x;
-    *(global realw*)(p + lane_address(item, k, 1, 2)) = y;
-}
-static inline void store_i(wholew v, global int* p, int item, int k) {
-    *(global intw*)(p + lane_address(item, k, 0, 1)) = ints_of(v);
-}
-static inline void store_3(vec3w v, global real* p, int item, int k) {
-    *(global realw*)(p + lane_address(item, k, 0, 3)) = v.x;
-    *(global realw*)(p + lane_address(item, k, 1, 3)) = v.y;
-    *(global realw*)(p + lane_address(item, k, 2, 3)) = v.z;
-}
-
 #endif

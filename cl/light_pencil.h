@@ -1,5 +1,7 @@
 // The pencil of the kind of light that this program is built for, -D LIGHT=...; each kind defines LightPencil,
 // ShadowRay, shadow_ray(), arriving(), occludes(), and the fat versions of the ray.
+#include "types.h"
+
 #if LIGHT == LIGHT_DIRECTIONAL
 #include "parallel_pencil.h"
 #elif LIGHT == LIGHT_POINT

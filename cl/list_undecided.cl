@@ -3,7 +3,7 @@
 // Reads doubts (2 a ray, block order). Writes the undecided pixels, each as its place in the image row by row, to
 // undecided, from undecided[1] on in any order, and adds their number to undecided[0]. One work-item: PACKETS * LANES
 // neighbouring rays.
-#include "lanes.h"
+#include "ray_buffers.h"
 
 kernel void list_undecided(global const real* restrict doubts, const Tile tile, const int width, const int height,
                            const int items, global int* restrict undecided) {

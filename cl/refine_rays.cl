@@ -3,6 +3,7 @@
 // Reads places of pixels in the image, row by row: places[first] to places[first + count]. Writes dirs (block order, 3
 // a ray) in their order; where a block has no pixel NaN, which meets nothing. One work-item: one ray.
 #include "eye_pencil.h"
+#include "ray_buffers.h"
 
 kernel void refine_rays(const EyePencil eye, global const int* restrict places, const int first, const int count,
                         const int items, global real* restrict dirs) {

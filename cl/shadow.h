@@ -5,9 +5,8 @@
 #ifndef GNOMON_SHADOW_H
 #define GNOMON_SHADOW_H
 
-#include "lanes.h"
-
 #include "light_pencil.h"
+#include "ray_buffers.h"
 
 #define FAT FatShadowRay
 #define NODE_CANDIDATES shadow_node_candidates

@@ -116,6 +116,7 @@ TEST_CASE("the stats are JSON that lists the kernels, and only those that the sc
     const std::string path = folder / "stats.json";
     REQUIRE(render_small("--stats " + quoted(path)).code == 0);
     json stats = json::parse(read_file(path));
+    CHECK(stats.at("accuracy") == "strict");
     CHECK(stats.at("image").at("width") == 40);
     CHECK(stats.at("scene").at("sha1").get<std::string>().size() == 40);
     CHECK(stats.at("scene").at("spheres") == 3);
@@ -131,6 +132,21 @@ TEST_CASE("the stats are JSON that lists the kernels, and only those that the sc
     CHECK_FALSE(contains(read_file(path), "intersect_shadow"));
     CHECK(contains(kernel_options(stats), "SHADOWS_OFF"));
     CHECK(folder.count() == 1);
+}
+
+TEST_CASE("an accuracy stands in the last line, the stats, the kernels' options and the picture's header", "[cli]") {
+    const TempFolder folder;
+    const std::string path = folder / "stats.json", image = folder / "a.exr";
+    if (!choose_device(list_devices(), "").fp64) return;  // refused: test_accuracy.cpp
+    const Ran ran = render_small("--accuracy double --stats " + quoted(path) + " -o " + quoted(image));
+    REQUIRE(ran.code == 0);
+    CHECK(contains(ran.out, ", double; "));
+    const json stats = json::parse(read_file(path));
+    CHECK(stats.at("accuracy") == "double");
+    CHECK(contains(kernel_options(stats), "REAL_IS_DOUBLE=1"));
+    CHECK(contains(read_file(image), "gnomon:accuracy"));
+    REQUIRE(render_small("--accuracy fast --stats " + quoted(path)).code == 0);
+    CHECK(contains(kernel_options(json::parse(read_file(path))), "FAST=1"));
 }
 
 TEST_CASE("devices lists what there is, --json as JSON", "[cli]") {
