@@ -124,6 +124,12 @@ typedef struct {
     int pitch;             // values a row
 } Planes;
 
+// A sphere as a pencil sees it, for measure_roots: from the apex, with power = |center|^2 - radius^2 rounded once.
+typedef struct {
+    Float3 center;
+    float radius, power;
+} RootSphere;
+
 #define ASSERT_SIZE(type, bytes) typedef char assert_size_of_##type[sizeof(type) == (bytes) ? 1 : -1]
 ASSERT_SIZE(Float3, 12);
 ASSERT_SIZE(Cluster, 5 * 4 * CLUSTER);
@@ -136,6 +142,7 @@ ASSERT_SIZE(ParallelPencil, 36);
 ASSERT_SIZE(PointPencil, 16 + 36 * MAX_FACES);
 ASSERT_SIZE(Tile, 16);
 ASSERT_SIZE(Planes, 20);
+ASSERT_SIZE(RootSphere, 20);
 
 #ifdef __cplusplus
 }

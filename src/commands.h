@@ -7,6 +7,7 @@
 
 #include "image_io.h"
 #include "render.h"
+#include "report/report_command.h"
 
 namespace gnomon {
 

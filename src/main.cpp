@@ -24,6 +24,7 @@ int main(int argc, char** argv) try {
     app.require_subcommand(0, 1);
     gnomon::RenderCommand render(app);
     gnomon::DevicesCommand devices(app);
+    gnomon::ReportCommand report(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -31,8 +32,9 @@ int main(int argc, char** argv) try {
     }
     if (render.chosen()) return render.run();
     if (devices.chosen()) return devices.run();
+    if (report.chosen()) return report.run();
     fmt::print(stderr, "{}", app.help());
-    return fail("a subcommand is required: render or devices", 2);
+    return fail("a subcommand is required: render, devices or report", 2);
 } catch (const gnomon::Error& error) {
     return fail(error.what(), error.exit_code());
 } catch (const std::bad_alloc&) {

@@ -38,7 +38,8 @@ enum class Kernel {
     intersect_closest,
     intersect_shadow,
     shade_light,
-    resolve  // once a tile
+    resolve,       // once a tile
+    measure_roots  // for the report alone, in no plan
 };
 const char* to_string(Kernel kernel);
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "accuracy.h"
 #include "device.h"
 #include "film.h"
 #include "scene.h"
@@ -16,6 +17,7 @@ namespace gnomon {
 struct RenderOptions {
     Outputs outputs;
     bool shadows = true;
+    Accuracy accuracy = Accuracy::strict;  ///< one of available_accuracies()
     int lanes = 0;        ///< rays a vector: 1, 4, 8 or 16; 0 lets the plan choose
     uint64_t memory = 0;  ///< bytes of the device that may be used; 0: all that it offers
     int tile = 0;         ///< rays a tile, rounded to whole 8 x 8 blocks; 0 lets the plan choose

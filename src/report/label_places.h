@@ -1,0 +1,25 @@
+// Where to write the names of points, so that they cover neither each other nor the points.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gnomon::report {
+
+/// A rectangle to place within, in pixels, y up; and what a letter needs.
+struct Panel {
+    double width, height, letter_width = 6.8, letter_height = 14;
+};
+struct Point {
+    double x, y;
+    std::string name;
+};
+/// The middle of the left end of a name.
+struct LabelPlace {
+    double x, y;
+};
+/// Greedy: each name in turn takes the one of the places around its point where it covers least of points, of names
+/// before it and of what is outside.
+std::vector<LabelPlace> label_places(const Panel& panel, const std::vector<Point>& points);
+
+}  // namespace gnomon::report
