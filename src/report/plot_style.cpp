@@ -9,13 +9,13 @@ namespace gnomon::report {
 
 Layout layout_for(size_t panels) {
     const int columns = std::clamp(static_cast<int>(panels), 1, 3);
-    return {columns, (static_cast<int>(panels) + columns - 1) / columns};
+    return {panels, columns, (static_cast<int>(panels) + columns - 1) / columns};
 }
 
 std::string head(const Layout& l) {
     return fmt::format(
         "set encoding utf8\n"
-        "set terminal svg noenhanced size {:.0f},{:.0f} dynamic font 'Helvetica,Arial,sans-serif,12' linewidth 1 "
+        "set terminal svg enhanced size {:.0f},{:.0f} dynamic font 'Helvetica,Arial,sans-serif,12' linewidth 1 "
         "background '#ffffff'\n"
         "set output 'out.svg'\n"
         "set border 3 linecolor '#555555'\n"
@@ -35,9 +35,10 @@ std::string begin_panel(const Layout& l, size_t panel, const std::string& title,
     const double w = l.whole_width(), h = l.whole_height();
     std::string text = fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n", x / w, (x + l.width) / w);
     text += fmt::format("set tmargin at screen {}\nset bmargin at screen {}\n", y / h, (y - l.height) / h);
-    text += "set title " + quoted(title) + " offset 0,-0.6 font ',13'\n";
-    text += "set xlabel " + quoted(x_title) + " offset 0,0.5\n";
-    return text + "set ylabel " + quoted(column == 0 ? y_title : "") + " offset 0.5,0\n";
+    text += "set title " + quoted(title) + " noenhanced offset 0,-0.5 font ',13'\n";
+    const bool is_lowest = panel + columns >= l.panels;
+    text += "set xlabel " + quoted(is_lowest ? x_title : "") + " noenhanced offset 0,0.3\n";
+    return text + "set ylabel " + quoted(column == 0 ? y_title : "") + " noenhanced offset 0.8,0\n";
 }
 
 Mark mark_of(const std::string& name) {
@@ -54,8 +55,9 @@ std::string key(const Layout& l, const std::vector<std::string>& names) {
     double x = l.left;
     for (const std::string& name : names) {
         const Mark mark = mark_of(name);
-        text += fmt::format("set label {} at screen {},{} left front point pt {} ps 0.8 lc rgb '{}' offset 0.8,0\n",
-                            quoted(name), x / l.whole_width(), 1 - 14 / l.whole_height(), mark.shape, mark.color);
+        text += fmt::format(
+            "set label {} at screen {},{} left front noenhanced point pt {} ps 0.8 lc rgb '{}' offset 0.8,0\n",
+            quoted(name), x / l.whole_width(), 1 - 14 / l.whole_height(), mark.shape, mark.color);
         x += 40 + 7 * static_cast<double>(name.size());
     }
     return text;

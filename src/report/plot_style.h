@@ -8,10 +8,11 @@ namespace gnomon::report {
 
 /// Panels in rows, each with a title; sizes in pixels.
 struct Layout {
+    size_t panels;
     int columns, rows;
     double width = 264, height = 190;                     ///< of a panel's inside
-    double left = 62, right = 16, bottom = 46, top = 26;  ///< around it
-    double above = 34, below = 4, beside = 0;             ///< around all of them
+    double left = 72, right = 16, bottom = 42, top = 28;  ///< around it
+    double above = 34, below = 12, beside = 0;            ///< around all of them
 
     double whole_width() const { return columns * (left + width + right) + beside; }
     double whole_height() const { return above + rows * (top + height + bottom) + below; }
@@ -20,7 +21,7 @@ Layout layout_for(size_t panels);
 
 /// Terminal, fonts, axes.
 std::string head(const Layout& layout);
-/// Places the panel with this number; its title, and the titles of the axes where they are outermost.
+/// Places the panel with this number; its title, and the titles of the axes where nothing else is beside or below it.
 std::string begin_panel(const Layout& layout, size_t panel, const std::string& title, const std::string& x_title,
                         const std::string& y_title);
 

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -40,13 +41,13 @@ std::string data(const Grid& grid, const GridMap& map, const Heat& heat) {
 std::string heat_maps(const DeviceReport& device, const Heat& heat) {
     const Grid& grid = device.grid;
     Layout layout = layout_for(device.maps.size());
-    layout.above = 0;
+    layout.above = 6;
     layout.beside = 84;  // the scale
     std::string script = head(layout) + heat.palette +
                          fmt::format("set xrange [0:{}]\nset yrange [0:{}]\nset cbrange {}\nset cbtics {}\n",
                                      grid.decades, grid.impacts, heat.range, heat.ticks) +
-                         "set xtics 1 format '10^{%.0f}'\nset ytics 0.25\nunset grid\nset cblabel " +
-                         quoted(heat.title) + " offset 0.5,0\n";
+                         "set xtics 1 format '10^{%.0f}'\nset ytics 0.25\nunset grid\nset border 15\nset cblabel " +
+                         quoted(heat.title) + " noenhanced offset 0.5,0\n";
     const double scale_left = (layout.whole_width() - layout.beside + 4) / layout.whole_width();
     for (size_t i = 0; i < device.maps.size(); ++i) {
         script += i == 0 ? fmt::format("set colorbox user origin {},0.25 size {},0.5\n", scale_left,
@@ -62,8 +63,11 @@ std::string heat_maps(const DeviceReport& device, const Heat& heat) {
 }  // namespace
 
 std::string heat_of_t(const DeviceReport& device) {
-    return heat_maps(device, {"largest error of t, ulp", "[-1:7]", "1 format '10^{%.0f}'", viridis,
-                              [](const Cell& cell) -> std::optional<double> {
+    double most = 1;
+    for (const GridMap& map : device.maps)
+        for (const Cell& cell : map.cells) most = std::max(most, cell.max_ulps.value_or(0));
+    return heat_maps(device, {"largest error of t, ulp", fmt::format("[-1:{}]", std::ceil(std::log10(most))),
+                              "1 format '10^{%.0f}'", viridis, [](const Cell& cell) -> std::optional<double> {
                                   if (!cell.max_ulps) return {};
                                   return std::log10(std::max(*cell.max_ulps, 0.1));
                               }});

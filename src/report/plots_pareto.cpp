@@ -38,6 +38,18 @@ struct Axis {
     }
     /// 0 to 1; what cannot be shown lies on the edge.
     double place(double value) const { return std::clamp((std::log10(value) - low) / (high - low), 0.0, 1.0); }
+    /// 1, 2, 5, 10, ... as far as the axis goes; on a long one powers of ten alone.
+    std::string ticks() const {
+        std::string text;
+        for (double power = std::floor(low); power <= high; ++power)
+            for (const double digit : {1.0, 2.0, 5.0}) {
+                const double tick = digit * std::pow(10, power);
+                const bool shown =
+                    std::log10(tick) >= low && std::log10(tick) <= high && (high - low < 3 || digit == 1);
+                if (shown) text += fmt::format("{}{:.6g}", text.empty() ? "" : ",", tick);
+            }
+        return "(" + text + ")";
+    }
     std::string range() const { return fmt::format("[{}:{}]", std::pow(10, low), std::pow(10, high)); }
 };
 
@@ -73,19 +85,19 @@ std::string draw_panel(const Layout& l, const ParetoPanel& panel, const Axis& x,
         if (way.is_default) text += point(x, y, way, 6, 1.5, "#000000");
         // gnuplot's open shape is the one before the filled.
         text += point(x, y, way, way.on_front ? mark.shape : mark.shape - 1, 0.8, mark.color);
-        text += fmt::format("set label {} at graph {},{} left front textcolor rgb '{}'\n", quoted(way.name),
+        text += fmt::format("set label {} at graph {},{} left front noenhanced textcolor rgb '{}'\n", quoted(way.name),
                             names[i].x / l.width, names[i].y / l.height, mark.color);
     }
     return text + "$front << EOD\n" + front_line(panel) +
-           "EOD\nplot $front using 1:2 with fsteps lc rgb '#bbbbbb' lw 1.2 dt 2\n";
+           "EOD\nplot $front using 1:2 with fsteps lc rgb '#777777' lw 1.2 dt 2\n";
 }
 
 std::string pareto(const std::vector<ParetoPanel>& panels, const std::string& x_title, const std::string& y_title) {
     Layout layout = layout_for(panels.size());
-    layout.above = 0;
+    layout.above = 6;
     const Axis x(panels, &Way::time, 0.35), y(panels, &Way::error, 0.5);
     std::string script = head(layout) + "set logscale xy\nset xrange " + x.range() + "\nset yrange " + y.range() +
-                         "\nset format y '10^{%T}'\nset format x '%g'\n";
+                         "\nset format y '10^{%T}'\nset format x '%g'\nset xtics " + x.ticks() + "\n";
     for (size_t i = 0; i < panels.size(); ++i)
         script += begin_panel(layout, i, panels[i].title, x_title, y_title) + draw_panel(layout, panels[i], x, y);
     return script + "unset multiplot\n";
