@@ -149,8 +149,9 @@ TEST_CASE("names of points lie beside one another", "[report]") {
 }
 
 TEST_CASE("a drawing inside a page has ids of its own", "[report]") {
-    const std::string svg = "<?xml version='1.0'?><svg><g id=\"a\"/><path id='b'/><use xlink:href='#b'/></svg>";
-    CHECK(inlined(svg, "x-") == "<svg><g id=\"x-a\"/><path id='x-b'/><use xlink:href='#x-b'/></svg>");
+    const std::string svg =
+        "<?xml version='1.0'?><svg><g fill='none'>\n</g><g id=\"a\"><b/></g><path id='b'/><use xlink:href='#b'/></svg>";
+    CHECK(inlined(svg, "x-") == "<svg><g id=\"x-a\"><b/></g><path id='x-b'/><use xlink:href='#x-b'/></svg>");
 }
 
 TEST_CASE("without gnuplot the page says what to install", "[report]") {

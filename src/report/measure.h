@@ -11,7 +11,7 @@ namespace gnomon::report {
 
 /// How much is done.
 struct Effort {
-    int64_t rays = 1 << 17;  ///< a case
+    int64_t rays = 1 << 19;  ///< a case
     int rounds = 21;         ///< launches of each formula that are timed
     Grid grid{28, 25, 7, 1.25, 4};
     PictureEffort pictures;

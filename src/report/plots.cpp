@@ -11,6 +11,20 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
         text.replace(at, from.size(), to);
 }
 
+/// gnuplot opens a group for whatever it might draw; a third of a figure are groups that stay empty.
+void drop_empty_groups(std::string& text) {
+    const std::string end = "</g>";
+    std::string kept;
+    size_t from = 0;
+    for (size_t at = text.find("<g "); at != std::string::npos; at = text.find("<g ", at + 1)) {
+        const size_t inside = text.find('>', at) + 1, next = text.find_first_not_of(" \t\n", inside);
+        if (next == std::string::npos || text.compare(next, end.size(), end) != 0) continue;
+        kept += text.substr(from, at - from);
+        from = next + end.size();
+    }
+    text = kept + text.substr(from);
+}
+
 }  // namespace
 
 std::string inlined(const std::string& svg, const std::string& prefix) {
@@ -20,6 +34,7 @@ std::string inlined(const std::string& svg, const std::string& prefix) {
         replace_all(text, "href=" + quote + "#", "href=" + quote + "#" + prefix);
     }
     replace_all(text, "url(#", "url(#" + prefix);
+    drop_empty_groups(text);
     return text;
 }
 

@@ -76,7 +76,8 @@ std::string heat_of_t(const DeviceReport& device) {
 std::string heat_of_decisions(const DeviceReport& device) {
     return heat_maps(device, {"wrong decisions, %", "[0:50]", "10 format '%.0f'", white_to_red,
                               [](const Cell& cell) -> std::optional<double> {
-                                  return 1e-4 * cell.wrong.per_million().value_or(0);
+                                  if (cell.wrong.wrong == 0) return {};  // white, like the ground
+                                  return 1e-4 * *cell.wrong.per_million();
                               }});
 }
 

@@ -16,6 +16,9 @@ std::string rate(const Decisions& d) {
 std::string name_of(const RootRow& row) { return row.formula.name; }
 std::string name_of(const PictureRow& row) { return to_string(row.picture.accuracy); }
 
+int64_t wrong_decisions(const RootRow& row) { return row.error.missed.wrong + row.error.false_hits.wrong; }
+int64_t wrong_decisions(const PictureRow& row) { return row.picture.error.check.wrong_pixels; }
+
 std::string front(bool on) { return on ? "yes" : ""; }
 
 template <class Of>
@@ -23,6 +26,8 @@ std::string verdict(const Of& table) {
     std::string names, which;
     for (const auto& row : table.rows) {
         if (row.on_front) names += (names.empty() ? "" : ", ") + name_of(row);
+        if (row.on_front && wrong_decisions(row) > 0)
+            names += fmt::format(" ({} decided wrongly)", wrong_decisions(row));
         if (is_default(row)) which = name_of(row);
     }
     return fmt::format("Pareto front: {}; the default, {}, is {}on it.", names, which,
