@@ -6,13 +6,9 @@ namespace gnomon::report {
 
 namespace {
 
-struct Box {
-    double x0, x1, y0, y1;
-    double area() const { return std::max(0.0, x1 - x0) * std::max(0.0, y1 - y0); }
-};
-
+double area(const Box& b) { return std::max(0.0, b.x1 - b.x0) * std::max(0.0, b.y1 - b.y0); }
 double overlap(const Box& a, const Box& b) {
-    return Box{std::max(a.x0, b.x0), std::min(a.x1, b.x1), std::max(a.y0, b.y0), std::min(a.y1, b.y1)}.area();
+    return area({std::max(a.x0, b.x0), std::min(a.x1, b.x1), std::max(a.y0, b.y0), std::min(a.y1, b.y1)});
 }
 
 constexpr double marker = 6;  // pixels from a point's middle to its edge
@@ -32,14 +28,15 @@ std::vector<Box> candidates(const Panel& panel, const Point& p) {
 
 }  // namespace
 
-std::vector<LabelPlace> label_places(const Panel& panel, const std::vector<Point>& points) {
+std::vector<LabelPlace> label_places(const Panel& panel, const std::vector<Point>& points,
+                                     const std::vector<Box>& obstacles) {
     const Box inside{0, panel.width, 0, panel.height};
-    std::vector<Box> taken;
+    std::vector<Box> taken = obstacles;
     for (const Point& p : points) taken.push_back({p.x - marker, p.x + marker, p.y - marker, p.y + marker});
     std::vector<LabelPlace> places;
     for (const Point& p : points) {
         const auto covered = [&](const Box& box) {
-            double sum = 4 * (box.area() - overlap(box, inside));  // what is cut off cannot be read at all
+            double sum = 4 * (area(box) - overlap(box, inside));  // what is cut off cannot be read at all
             for (const Box& other : taken) sum += overlap(box, other);
             return sum;
         };

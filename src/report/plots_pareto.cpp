@@ -22,19 +22,19 @@ struct ParetoPanel {
     std::vector<Way> ways;
 };
 
-/// From whole power of ten to whole power of ten, with room around.
+/// Logarithmic, with room around what it shows.
 struct Axis {
     double low, high;  // decimal logarithms
 
-    Axis(const std::vector<ParetoPanel>& panels, double Way::*value, double room) {
+    Axis(const std::vector<ParetoPanel>& panels, double Way::*value, double below, double above) {
         double least = INFINITY, most = 0;
         for (const ParetoPanel& panel : panels)
             for (const Way& way : panel.ways) {
                 if (way.*value > 0) least = std::min(least, way.*value);
                 if (std::isfinite(way.*value)) most = std::max(most, way.*value);
             }
-        low = std::log10(least) - room;
-        high = std::log10(std::max(most, least)) + room;
+        low = std::log10(least) - below;
+        high = std::log10(std::max(most, least)) + above;
     }
     /// 0 to 1; what cannot be shown lies on the edge.
     double place(double value) const { return std::clamp((std::log10(value) - low) / (high - low), 0.0, 1.0); }
@@ -53,21 +53,36 @@ struct Axis {
     std::string range() const { return fmt::format("[{}:{}]", std::pow(10, low), std::pow(10, high)); }
 };
 
-std::vector<LabelPlace> places(const Layout& l, const ParetoPanel& panel, const Axis& x, const Axis& y) {
-    std::vector<Point> points;
-    for (const Way& way : panel.ways)
-        points.push_back({x.place(way.time) * l.width, y.place(way.error) * l.height, way.name});
-    return label_places({l.width, l.height}, points);
-}
-
-/// Steps along the front, from the quickest to the most exact.
-std::string front_line(const ParetoPanel& panel) {
+/// What is on the front, from the quickest to the most exact.
+std::vector<Way> front_of(const ParetoPanel& panel) {
     std::vector<Way> front;
     std::copy_if(panel.ways.begin(), panel.ways.end(), std::back_inserter(front),
                  [](const Way& w) { return w.on_front; });
     std::sort(front.begin(), front.end(), [](const Way& a, const Way& b) { return a.time < b.time; });
+    return front;
+}
+
+/// Names beside their points, clear of the steps along the front: down first, then to the right.
+std::vector<LabelPlace> places(const Layout& l, const ParetoPanel& panel, const Axis& x, const Axis& y) {
+    constexpr double thick = 2;  // pixels to each side
+    const auto at = [&](const Way& way) {
+        return Point{x.place(way.time) * l.width, y.place(way.error) * l.height, way.name};
+    };
+    std::vector<Point> points;
+    for (const Way& way : panel.ways) points.push_back(at(way));
+    std::vector<Box> steps;
+    const std::vector<Way> front = front_of(panel);
+    for (size_t i = 1; i < front.size(); ++i) {
+        const Point a = at(front[i - 1]), b = at(front[i]);
+        steps.push_back({a.x - thick, a.x + thick, b.y, a.y});
+        steps.push_back({a.x, b.x, b.y - thick, b.y + thick});
+    }
+    return label_places({l.width, l.height}, points, steps);
+}
+
+std::string front_line(const ParetoPanel& panel) {
     std::string text;
-    for (const Way& way : front) text += fmt::format("{} {}\n", way.time, way.error);
+    for (const Way& way : front_of(panel)) text += fmt::format("{} {}\n", way.time, way.error);
     return text;
 }
 
@@ -95,7 +110,7 @@ std::string draw_panel(const Layout& l, const ParetoPanel& panel, const Axis& x,
 std::string pareto(const std::vector<ParetoPanel>& panels, const std::string& x_title, const std::string& y_title) {
     Layout layout = layout_for(panels.size());
     layout.above = 6;
-    const Axis x(panels, &Way::time, 0.35), y(panels, &Way::error, 0.5);
+    const Axis x(panels, &Way::time, 0.4, 0.6), y(panels, &Way::error, 0.7, 0.7);
     std::string script = head(layout) + "set logscale xy\nset xrange " + x.range() + "\nset yrange " + y.range() +
                          "\nset format y '10^{%T}'\nset format x '%g'\nset xtics " + x.ticks() + "\n";
     for (size_t i = 0; i < panels.size(); ++i)
