@@ -118,5 +118,8 @@ TEST_CASE("a report refuses what is wrong before it measures", "[report]") {
         CHECK_FALSE(ran.err.empty());
         CHECK(ran.out.empty());
     }
+    const Ran preset = run_program("report --quick", "GNOMON_DEVICE=no_such_thing");
+    CHECK(preset.code == 2);
+    CHECK(contains(preset.err, "no_such_thing"));
     CHECK(folder.count() == 0);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 
 #include "error.h"
@@ -42,8 +43,9 @@ ReportCommand::ReportCommand(CLI::App& app) {
     command_ = app.add_subcommand("report", "Measure speed and error together; write report.json and report.html.");
     command_->add_option("SCENE", scenes_, "scene files, JSON (default: the examples and a ground with 99 spheres)");
     CLI::Option* device =
-        command_->add_option("--device", devices_, "P:D as clinfo -l numbers them, cpu, gpu, accel, or part of a name")
-            ->envname("GNOMON_DEVICE")
+        command_
+            ->add_option("--device", devices_,
+                         "P:D as clinfo -l numbers them, cpu, gpu, accel, or part of a name (Env:GNOMON_DEVICE)")
             ->expected(1)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command_->add_flag("--all-devices", all_devices_, "every device that there is")->excludes(device);
@@ -54,7 +56,10 @@ ReportCommand::ReportCommand(CLI::App& app) {
 std::vector<DeviceInfo> ReportCommand::chosen_devices() const {
     const std::vector<DeviceInfo> all = list_devices();
     if (all_devices_) return all;
-    if (devices_.empty()) return {choose_device(all, "")};
+    if (devices_.empty()) {  // asked for here, since --all-devices goes with the variable but not with --device
+        const char* preset = std::getenv("GNOMON_DEVICE");
+        return {choose_device(all, preset ? preset : "")};
+    }
     std::vector<DeviceInfo> chosen;
     for (const std::string& request : devices_) {
         const DeviceInfo& device = choose_device(all, request);
