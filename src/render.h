@@ -18,9 +18,9 @@ struct RenderOptions {
     Outputs outputs;
     bool shadows = true;
     Accuracy accuracy = Accuracy::strict;  ///< one of available_accuracies()
-    int lanes = 0;        ///< rays a vector: 1, 4, 8 or 16; 0 lets the plan choose
-    uint64_t memory = 0;  ///< bytes of the device that may be used; 0: all that it offers
-    int tile = 0;         ///< rays a tile, rounded to whole 8 x 8 blocks; 0 lets the plan choose
+    int lanes = 0;                         ///< rays a vector: 1, 4, 8 or 16; 0 lets the plan choose
+    uint64_t memory = 0;                   ///< bytes of the device that may be used; 0: all that it offers
+    int tile = 0;                          ///< rays a tile, rounded to whole 8 x 8 blocks; 0 lets the plan choose
     /// The spheres are those of the last call, untouched: what was built over them is used again, whatever camera,
     /// lights and image have become. (Where the scene is cut it is built anew.)
     bool same_spheres = false;
