@@ -130,6 +130,12 @@ typedef struct {
     int pitch;             // values a row
 } Planes;
 
+// A sphere as a pencil sees it, for measure_roots: from the apex, with power = |center|^2 - radius^2 rounded once.
+typedef struct {
+    Float3 center;
+    float radius, power;
+} RootSphere;
+
 #define ASSERT_SIZE(type, bytes) typedef char assert_size_of_##type[sizeof(type) == (bytes) ? 1 : -1]
 // Of a struct of floats, and of doubles.
 #ifdef __cplusplus
@@ -153,6 +159,7 @@ ASSERT_SIZES(ParallelPencil, 36, 72);
 ASSERT_SIZES(PointPencil, 16 + 36 * MAX_FACES, 24 + 4 + 36 * MAX_FACES + 4);  // rounded up to whole doubles
 ASSERT_SIZE(Tile, 16);
 ASSERT_SIZE(Planes, 20);
+ASSERT_SIZE(RootSphere, 20);
 
 #ifdef __cplusplus
 }

@@ -23,6 +23,12 @@ std::string build_options(Accuracy accuracy) {
     return computes_in_double(accuracy) ? " -D REAL_IS_DOUBLE=1" : "";
 }
 
+std::vector<Accuracy> available_accuracies(const DeviceInfo& device) {
+    std::vector<Accuracy> all{Accuracy::fast, Accuracy::strict, Accuracy::certified};
+    if (device.fp64) all.push_back(Accuracy::full);
+    return all;
+}
+
 void check_accuracy(Accuracy accuracy, const DeviceInfo& device) {
     if (computes_in_double(accuracy) && !device.fp64)
         throw Error(Blame::input, "the device " + device.name + " computes in float only (it lacks cl_khr_fp64)",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace gnomon {
 
@@ -24,6 +25,9 @@ inline int real_bytes(Accuracy accuracy) { return computes_in_double(accuracy) ?
 
 /// With a blank before each: what kernels are built with that trace rays and shade hits.
 std::string build_options(Accuracy accuracy);
+
+/// Those that a device can compute in.
+std::vector<Accuracy> available_accuracies(const DeviceInfo& device);
 
 /// Throws Error(Blame::input) where the device cannot compute so, and says how it can.
 void check_accuracy(Accuracy accuracy, const DeviceInfo& device);

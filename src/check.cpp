@@ -36,30 +36,46 @@ size_t spread(int64_t i, size_t pixels) {
 
 }  // namespace
 
-Check check(const Scene& scene, const Film& film, bool shadows, int64_t pixels, int64_t tests) {
+std::vector<size_t> sampled_pixels(const Scene& scene, const Film& film, bool shadows, int64_t pixels, int64_t tests) {
     const auto work = (sphere_count(scene) + 1) * static_cast<int64_t>(1 + (shadows ? scene.lights.size() : 0));
     const int64_t count = std::clamp<int64_t>(tests / work, 1, std::min(pixels, static_cast<int64_t>(film.pixels())));
+    std::vector<size_t> sample;
+    for (int64_t i = 0; i < count; ++i) sample.push_back(spread(i, film.pixels()));
+    return sample;
+}
+
+Check check(const Scene& scene, const Film& film, bool shadows, int64_t pixels, int64_t tests) {
     Check result;
-    std::vector<double> offs;
+    std::vector<double> offs;  // of the radiance, pixel by pixel
+    std::vector<bool> other_ids;
     double brightest = 0;
-    for (int64_t i = 0; i < count; ++i) {
-        const size_t p = spread(i, film.pixels()), width = static_cast<size_t>(film.width);
+    for (const size_t p : sampled_pixels(scene, film, shadows, pixels, tests)) {
+        const auto width = static_cast<size_t>(film.width);
         const auto ray = reference::eye_ray(scene, static_cast<int>(p % width), static_cast<int>(p / width));
         const auto hit = reference::closest_hit(scene, ray);
         ++result.pixels;
-        if (!film.id.empty() && film.id[p] != hit.id) ++result.wrong_ids;
+        other_ids.push_back(!film.id.empty() && film.id[p] != hit.id);
+        result.wrong_ids += other_ids.back();
         if (!film.distance.empty() && hit.id >= 0 && std::isfinite(film.distance[p]))
             result.max_distance = std::max(result.max_distance, std::fabs(film.distance[p] - hit.t) / hit.t);
+        offs.push_back(0);
         if (film.radiance[0].empty()) continue;
         const Compared radiance = compare(film, reference::radiance(scene, hit, shadows), p);
-        offs.push_back(radiance.off);
+        offs.back() = radiance.off;
         brightest = std::max(brightest, radiance.expected);
     }
-    for (const double off : offs) {
-        const double relative = brightest > 0 ? off / brightest : off;
-        result.flips += relative > flip;
-        if (relative <= flip) result.max_radiance = std::max(result.max_radiance, relative);
+    double squares = 0;
+    for (size_t i = 0; i < offs.size(); ++i) {
+        const double relative = brightest > 0 ? offs[i] / brightest : offs[i];
+        const bool flipped = relative > flip;
+        result.flips += flipped;
+        result.wrong_pixels += flipped || other_ids[i];
+        if (flipped) continue;
+        result.max_radiance = std::max(result.max_radiance, relative);
+        squares += relative * relative;
     }
+    const auto right = static_cast<double>(result.pixels - result.flips);
+    result.rms_radiance = right > 0 ? std::sqrt(squares / right) : 0;
     return result;
 }
 

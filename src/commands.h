@@ -8,6 +8,7 @@
 
 #include "image_io.h"
 #include "render.h"
+#include "report/report_command.h"
 
 namespace gnomon {
 

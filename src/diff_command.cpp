@@ -114,7 +114,7 @@ int DiffCommand::compare() const {
     warn_of_missing(b.others, path_b_, "unknown name");
     if (!output_.empty()) write_difference(output_, a.film, b.film, run.diff);
     if (!json_path_.empty()) write_text(json_path_, to_json(run).dump(2) + "\n");
-    if (!quiet_) fmt::print("{}", report(run));
+    if (!quiet_) fmt::print("{}", describe_diff(run));
     return run.same() ? 0 : 1;
 }
 

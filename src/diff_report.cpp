@@ -136,7 +136,7 @@ Json to_json(const DiffRun& run) {
     return json;
 }
 
-std::string report(const DiffRun& run) {
+std::string describe_diff(const DiffRun& run) {
     const auto width = static_cast<size_t>(run.diff.width);
     std::string text = head(run);
     for (const ComparedChannel& compared : run.diff.channels)

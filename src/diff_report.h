@@ -23,6 +23,6 @@ struct DiffRun {
 nlohmann::ordered_json to_json(const DiffRun& run);
 
 /// What was compared, a table with a row for each channel (inside and at silhouettes apart), and the verdict.
-std::string report(const DiffRun& run);
+std::string describe_diff(const DiffRun& run);
 
 }  // namespace gnomon

@@ -25,6 +25,7 @@ int main(int argc, char** argv) try {
     gnomon::RenderCommand render(app);
     gnomon::DevicesCommand devices(app);
     gnomon::DiffCommand diff(app);
+    gnomon::ReportCommand report(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -33,8 +34,9 @@ int main(int argc, char** argv) try {
     if (render.chosen()) return render.run();
     if (devices.chosen()) return devices.run();
     if (diff.chosen()) return diff.run();
+    if (report.chosen()) return report.run();
     fmt::print(stderr, "{}", app.help());
-    return fail("a subcommand is required: render, devices or diff", 2);
+    return fail("a subcommand is required: render, devices, diff or report", 2);
 } catch (const gnomon::Error& error) {
     return fail(error.what(), error.exit_code());
 } catch (const std::bad_alloc&) {

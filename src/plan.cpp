@@ -126,7 +126,7 @@ const char* to_string(Kernel kernel) {
     static constexpr const char* names[] = {
         "sphere_keys",     "count_digits",   "scan_counts",    "scatter_pairs", "find_duplicates",   "gather_spheres",
         "project_spheres", "bound_clusters", "bound_nodes",    "generate_rays", "intersect_closest", "intersect_shadow",
-        "shade_light",     "resolve",        "list_undecided", "refine_rays"};
+        "shade_light",     "resolve",        "list_undecided", "refine_rays",   "measure_roots"};
     return names[static_cast<int>(kernel)];
 }
 

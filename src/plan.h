@@ -40,7 +40,8 @@ enum class Kernel {
     shade_light,
     resolve,
     list_undecided,  // once a tile
-    refine_rays      // once a batch of undecided pixels
+    refine_rays,     // once a batch of undecided pixels
+    measure_roots    // for the report alone, in no plan
 };
 const char* to_string(Kernel kernel);
 
