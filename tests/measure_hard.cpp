@@ -10,7 +10,7 @@ namespace gnomon::test {
 
 namespace {
 
-constexpr int64_t most_pixels = 4096;
+constexpr int64_t most_pixels = 8192;
 
 /// One ulp of float at t. Below the normal numbers it stays what it is.
 double ulp(double t) {

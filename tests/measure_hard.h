@@ -15,8 +15,8 @@ struct Measured {
     std::string first_wrong, worst_t, worst_normal;  ///< scene and pixel; empty when there is none
 };
 
-/// Renders the case's scenes with these options, `times` as wide and high, once for each light, and compares pixels
-/// spread over the picture, at most 4096 a scene, with the oracle.
+/// Renders the case's scenes with these options, `times` as wide and high (unless they are very wide or high already),
+/// once for each light, and compares pixels spread over the picture, at most 8192 a scene, with the oracle.
 Measured measure(Renderer& renderer, const HardCase& hard, const RenderOptions& options, int times = 1);
 
 }  // namespace gnomon::test

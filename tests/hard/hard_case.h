@@ -21,7 +21,7 @@ struct Figures {
     int64_t wrong_decisions() const { return hits + ids + shadows; }
 };
 
-/// What may not grow: pictures as they are given, and all four times as wide and high, for the long tests.
+/// What may not grow: pictures as they are given, and all three times as wide and high, for the long tests.
 struct Record {
     Figures figures, at_length;
 };

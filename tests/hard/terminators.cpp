@@ -30,15 +30,27 @@ std::vector<HardCase> terminators() {
     const std::string why = "whether n . l > 0 hangs on the last bits of the normal",
                       exactly = "; in the middle it is 0: night";
     return {
-        {"sun exactly across", why + exactly, {lit_across(1, 60, sun), lit_across(1e6, 60, sun)}, {}},
-        {"sun exactly across, telescope", why + exactly, {lit_across(1, 1e-4, sun), lit_across(1e6, 1e-6, sun)}, {}},
+        {"sun exactly across",
+         why + exactly,
+         {lit_across(1, 60, sun), lit_across(1e6, 60, sun)},
+         {{0, 0, 0, 1.62, 1.81e-07}, {0, 0, 0, 30.2, 3.68e-06}}},
+        {"sun exactly across, telescope",
+         why + exactly,
+         {lit_across(1, 1e-4, sun), lit_across(1e6, 1e-6, sun)},
+         {{0, 0, 0, 1.84e-05, 4.9e-14}, {0, 0, 0, 1.96e-05, 1.03e-13}}},
         {"lamp in the tangent plane",
          why + exactly,
          {lit_across(4, 60, PointLight{{4, 0, 4}, {1, 1, 1}}),
           lit_across(4, 1e-4, PointLight{{0, 1024, 4}, {1, 1, 1}})},
-         {}},
-        {"sun aslant", why, {slanted(60), slanted(1), slanted(1e-2)}, {}},
-        {"sun aslant, telescope", why, {slanted(1e-4), slanted(1e-6)}, {}},
+         {{0, 0, 0, 1.24, 1.81e-07}, {0, 0, 0, 21.3, 2.51e-06}}},
+        {"sun aslant",
+         why,
+         {slanted(60), slanted(1), slanted(1e-2)},
+         {{0, 0, 0, 3.13, 5.16e-07}, {0, 0, 0, 15.4, 4.12e-06}}},
+        {"sun aslant, telescope",
+         why,
+         {slanted(1e-4), slanted(1e-6)},
+         {{0, 0, 194, 2.22, 9.71e-08}, {0, 0, 1750, 2.48, 9.8e-08}}},
     };
 }
 
