@@ -1,5 +1,6 @@
 // The oracle against what is known without it: triangles of whole numbers, lines that touch, and the reference on
 // scenes where double is enough.
+#include <algorithm>
 #include <cmath>
 
 #include "catch.h"
@@ -111,6 +112,13 @@ TEST_CASE("oracle: equal distances, coincident spheres", "[oracle]") {
     CHECK(Oracle(scene).look({{0, 0, 0}, {1e-9, 0, 1}}).hit.id == 1);
     scene.spheres[1].radius = std::nextafter(4.0, 0);
     CHECK(Oracle(scene).look(1, 1).hit.id == 2);
+    // All met at (6, 6, 6), at an irrational distance whose intervals differ in their ends.
+    const auto beyond = [](Vec3 way, double times) { return Sphere{Vec3{6, 6, 6} + way * times, 7 * times}; };
+    scene.spheres = {beyond({2, 3, 6}, 1), beyond({6, 3, 2}, 3), beyond({3, 6, 2}, 0.1875), beyond({3, 2, 6}, 11)};
+    for (size_t i = 0; i < scene.spheres.size(); ++i) {
+        std::rotate(scene.spheres.begin(), scene.spheres.begin() + 1, scene.spheres.end());
+        CHECK(Oracle(scene).look({{0, 0, 0}, {1, 1, 1}}).hit.id == 0);
+    }
 }
 
 TEST_CASE("oracle: a light at, in, on and behind things", "[oracle]") {
