@@ -18,7 +18,7 @@
 #define EYE_TURN (5 * ROUNDING)
 #endif
 
-// A meeting is plain if its t is known to 2^-10 of itself. Nearly all are, and need no closer look.
+// A meeting is plain if D is known to a quarter, and t to 2^-10, of itself. Nearly all are, and need no closer look.
 #define PLAIN 0x1p-12f
 #define PLAINLY 0x1p-10f
 
@@ -55,16 +55,18 @@ static inline realw root_error(realw b_off, realw discriminant_off, realw radius
 static inline wholew is_plain(Doubt doubt, PencilSphere s, vec3w dir, real base, realw b, realw discriminant) {
     if (looks_small(s)) {
         const real least = (24 * ROUNDING + 14 * base / doubt.distance) / PLAIN;
-        return discriminant > s.r2 * (least * least);
+        return discriminant > MORE(s.r2 * (least * least), 4 * doubt.discriminant);
     }
     const realw root = sqrt(discriminant), q = fabs(b) + root;
     const realw b_off = fma(wide(9 * ROUNDING), terms_of(broadcast(s.center), dir), wide(base));
     const realw off = fma(fabs(b), 2 * b_off, wide(doubt.power));
+    const realw turned = fabs(b) * (2 * doubt.radius * EYE_TURN);
     return (root_error(b_off, off, wide(doubt.radius), root, q) < PLAIN * root * q) &
-           (wide(doubt.power) < PLAIN * fabs(wide(s.power)));
+           (off + turned < 0.25f * discriminant) & (wide(doubt.power) < PLAIN * fabs(wide(s.power)));
 }
 
-// How far the root t of a sphere of centre f may be off, if it is plain, else infinitely.
+// How far the root t of a sphere of centre f may be off, if D is known to a quarter and t to 2^-8 of itself, else
+// infinitely. At a hit sqrt(D) is |b - t|.
 static inline realw root_doubt(vec3w f, vec3w dir, realw t, real base) {
     const realw b = dot_w(f, dir), root = fabs(b - t), q = fabs(b) + root, squared = dot_w(f, f);
     const vec3w out = fma_w(t, dir, (vec3w){-f.x, -f.y, -f.z});
@@ -74,9 +76,11 @@ static inline realw root_doubt(vec3w f, vec3w dir, realw t, real base) {
     const realw b_off = fma(wide(9 * ROUNDING), terms_of(f, dir), wide(base));
     const realw of_small = fma(2 * radius, fma(wide(2 * ROUNDING), sqrt(squared), wide(base)), own);
     const realw of_large = fma(fabs(b), 2 * b_off, power_off);
-    const realw error = root_error(b_off, 2 * r2 < squared ? of_small : of_large, radius, root, q);
-    const realw share = (fma(power_off, root, error * t)) / (root * power);
-    return share < 4 * PLAIN ? t * fma(wide(2.5f), share, wide(8 * ROUNDING)) : wide(INFINITY);
+    const realw off = 2 * r2 < squared ? of_small : of_large, turned = fabs(b) * (2 * radius * EYE_TURN);
+    const realw error = root_error(b_off, off, radius, root, q);
+    const realw share = fma(power_off, root, error * t) / (root * power);
+    const wholew known = (share < 4 * PLAIN) & (off + turned < 0.25f * root * root);
+    return known ? t * fma(wide(2.5f), share, wide(8 * ROUNDING)) : wide(INFINITY);
 }
 
 #endif

@@ -1,6 +1,8 @@
 #include "pencil.h"
 
 #include <algorithm>
+#include <array>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
 #include "rounding.h"
@@ -29,9 +31,25 @@ struct Directions {
 };
 Basis rounded_basis(const Directions& d) { return {rounded<float>(d.u), rounded<float>(d.v), rounded<float>(d.axis)}; }
 
+// With 50 digits: where `up` is nearly parallel to the view, their cross product in double loses most of its own.
+using Digits = boost::multiprecision::cpp_bin_float_50;
+using Precise = std::array<Digits, 3>;
+
+Precise precise(const Vec3& v) { return {Digits(v.x), Digits(v.y), Digits(v.z)}; }
+Precise cross(const Precise& a, const Precise& b) {
+    return {Digits(a[1] * b[2] - a[2] * b[1]), Digits(a[2] * b[0] - a[0] * b[2]), Digits(a[0] * b[1] - a[1] * b[0])};
+}
+Vec3 unit(const Precise& v) {
+    const Digits length = sqrt(Digits(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+    return {static_cast<double>(Digits(v[0] / length)), static_cast<double>(Digits(v[1] / length)),
+            static_cast<double>(Digits(v[2] / length))};
+}
+
 Directions view(const Camera& camera) {
-    const Vec3 z = normalize(camera.at - camera.eye), x = normalize(cross(camera.up, z));
-    return {x, cross(z, x), z};
+    const Precise eye = precise(camera.eye), at = precise(camera.at);
+    const Precise z{Digits(at[0] - eye[0]), Digits(at[1] - eye[1]), Digits(at[2] - eye[2])};
+    const Precise x = cross(precise(camera.up), z);
+    return {unit(x), unit(cross(z, x)), unit(z)};
 }
 
 Directions across(const Vec3& axis) {
