@@ -26,7 +26,7 @@ class DeviceMemory {
     /// A copy of some values.
     template <class T>
     cl::Buffer copy(const T* values, int64_t count) const {
-        return allocate(CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, sizeof(T) * static_cast<size_t>(count), values);
+        return allocate(CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, sizeof(T) * static_cast<size_t>(count), values);
     }
     /// The values themselves where the device shares the host's memory, else a copy. They must outlive the buffer.
     template <class T>

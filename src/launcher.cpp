@@ -30,13 +30,30 @@ void Launcher::fill_with_zeros(const cl::Buffer& buffer) {
 
 int Launcher::read_int(const cl::Buffer& buffer) {
     int value = 0;
-    queue_.enqueueReadBuffer(buffer, CL_TRUE, 0, sizeof value, &value, &last_);
+    const std::vector<cl::Event> all = last();
+    queue_.enqueueReadBuffer(buffer, CL_TRUE, 0, sizeof value, &value, &all);
     return value;
+}
+
+void Launcher::branch() {
+    if (root_)
+        ends_.insert(ends_.end(), last_.begin(), last_.end());
+    else
+        root_ = last_;
+    last_ = *root_;
+}
+
+std::vector<cl::Event> Launcher::last() const {
+    std::vector<cl::Event> all = ends_;
+    all.insert(all.end(), last_.begin(), last_.end());
+    return all;
 }
 
 void Launcher::finish() {
     queue_.finish();
     last_.clear();
+    root_.reset();
+    ends_.clear();
 }
 
 std::vector<Launcher::Launched> Launcher::take_launched() { return std::exchange(launched_, {}); }

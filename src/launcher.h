@@ -1,6 +1,8 @@
-// Launches kernels one after the other, each when the one before has ended.
+// Launches kernels one after the other, each when the one before has ended, in branches that do not wait for each
+// other.
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -47,12 +49,14 @@ class Launcher {
         set_arguments(kernel, arguments...);
         enqueue(variant, kernel, items, local);
     }
+    /// What follows, up to the next branch, waits only for what was launched before the first one.
+    void branch();
     void fill_with_zeros(const cl::Buffer& buffer);
     /// Waits for all of it, and reads one value.
     int read_int(const cl::Buffer& buffer);
     void finish();
     /// What must have ended before anything else may read what the launches write; empty after finish().
-    const std::vector<cl::Event>& last() const { return last_; }
+    std::vector<cl::Event> last() const;
 
     /// What was launched since the last time this was asked; call finish() first.
     std::vector<Launched> take_launched();
@@ -62,7 +66,9 @@ class Launcher {
 
     cl::CommandQueue queue_;
     Programs& programs_;
-    std::vector<cl::Event> last_;
+    std::vector<cl::Event> last_;                 // of the branch that is being launched
+    std::optional<std::vector<cl::Event>> root_;  // where branches start, if there are any
+    std::vector<cl::Event> ends_;                 // of the other branches
     std::vector<Launched> launched_;
 };
 

@@ -180,7 +180,8 @@ struct Renderer::State {
         if (chunks) scheduler.take_spheres_from(*chunks);
         const Measured run = scheduler.run(ready, job.options.progress);
         measured(job.plan, run, stats);
-        const double prepared_at = asked_at + (ready.empty() ? 0 : seconds_since_asked(ready.front()));
+        double prepared_at = asked_at;
+        for (const cl::Event& end : ready) prepared_at = std::max(prepared_at, asked_at + seconds_since_asked(end));
         add(job.plan, launcher.take_launched(), stats);
         stats.chunks = chunks ? chunks->chunks() : 1;
         stats.prepare_seconds += prepared_at - start;

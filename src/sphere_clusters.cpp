@@ -80,8 +80,8 @@ void SphereKernels::sort(Pairs& pairs, const RowBuffers& rows, int word, bool fi
 /// False when runs of equal keys are too long.
 bool SphereKernels::find_duplicates(const Pairs& pairs, const RowBuffers& rows, bool hashed, int longest,
                                     const cl::Buffer& order) {
-    const cl::Buffer crowded = memory_.room<int>(1);
-    launcher_.fill_with_zeros(crowded);
+    const int none = 0;
+    const cl::Buffer crowded = memory_.copy(&none, 1);
     launcher_.launch(sphere_variant(Kernel::find_duplicates, plan_.accuracy, rows.has_rests), groups_of_16(rows.count),
                      plan_.local_size, rows.rows, rows.rests, rows.columns, pairs.sorted, hashed ? 1 : 0, longest,
                      rows.count, groups_of_16(rows.count), order, crowded);
@@ -126,6 +126,7 @@ SphereBuffers SphereKernels::project(const ClusterBuffers& spheres, const Pencil
     const auto room = [&](auto real) { return memory_.room<PencilClusterOf<decltype(real)>>(shape.clusters); };
     SphereBuffers result{with_real(plan_.accuracy, room), {}, shape.levels(), shape.last()};
     result.nodes = memory_.room<Node>(static_cast<int64_t>(view.faces.size()) * shape.all_nodes());
+    launcher_.branch();
     launcher_.launch(sphere_variant(Kernel::project_spheres, plan_.accuracy, spheres.has_rests, view.is_parallel),
                      shape.clusters, plan_.local_size, spheres.clusters, spheres.rests, view.apex, view.parallel,
                      shape.clusters, result.clusters);

@@ -61,6 +61,7 @@ class SphereKernels {
 
     /// Sorts spheres and gathers them in clusters. Coincident spheres count as one: the lowest id stands for all.
     ClusterBuffers gather(const RowBuffers& rows, const Survey& survey, const Frame& frame);
+    /// No view waits for another: Launcher::branch.
     SphereBuffers project(const ClusterBuffers& spheres, const PencilView& view);
 
   private:
