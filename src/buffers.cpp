@@ -84,8 +84,7 @@ SceneBuffers prepare(SphereKernels& kernels, const Scene& scene, const Survey& s
 }
 
 std::vector<TileBuffers>& TilePool::get(const DeviceMemory& memory, const Plan& plan) {
-    const size_t count = std::min<size_t>(plan.memory.by_view ? 1 : tile_sets, plan.tiles.size()),
-                 rays = static_cast<size_t>(plan.tile_blocks);
+    const size_t count = static_cast<size_t>(plan.tile_sets), rays = static_cast<size_t>(plan.tile_blocks);
     const std::array<size_t, 7> shape{count,
                                       rays,
                                       plan.uses(Kernel::intersect_shadow) + size_t{2} * plan.uses(Kernel::shade_light),

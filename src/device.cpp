@@ -53,6 +53,19 @@ std::vector<cl::Device> devices_of(const cl::Platform& platform) {
     return found;
 }
 
+/// 0 where it cannot be split, or that would mean nothing.
+int sub_devices_of(const cl::Device& device) {
+    const cl_uint units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
+    const auto ways = device.getInfo<CL_DEVICE_PARTITION_PROPERTIES>();
+    const bool useful = type_of(device.getInfo<CL_DEVICE_TYPE>()) == DeviceType::cpu && units > 1;
+    const bool can = std::find(ways.begin(), ways.end(), CL_DEVICE_PARTITION_EQUALLY) != ways.end() &&
+                     device.getInfo<CL_DEVICE_PARTITION_MAX_SUB_DEVICES>() >= units;
+    return useful && can ? static_cast<int>(units) : 0;
+}
+
+/// OpenCL does not tell: CL_DEVICE_GLOBAL_MEM_CACHE_SIZE may be that of the last level, which cores share.
+uint64_t core_cache_bytes() { return static_cast<uint64_t>(std::max(sysconf(_SC_LEVEL2_CACHE_SIZE), 0L)); }
+
 DeviceInfo inspect(const cl::Platform& platform, const cl::Device& device) {
     DeviceInfo info;
     info.type = type_of(device.getInfo<CL_DEVICE_TYPE>());
@@ -61,6 +74,8 @@ DeviceInfo inspect(const cl::Platform& platform, const cl::Device& device) {
     info.version = trimmed(device.getInfo<CL_DEVICE_VERSION>());
     info.driver = trimmed(device.getInfo<CL_DRIVER_VERSION>());
     info.compute_units = static_cast<int>(device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>());
+    info.sub_devices = sub_devices_of(device);
+    info.core_cache_bytes = info.type == DeviceType::cpu ? core_cache_bytes() : 0;
     info.native_width_float = static_cast<int>(device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>());
     info.max_work_group = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
     info.global_bytes = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();

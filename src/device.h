@@ -15,7 +15,9 @@ struct DeviceInfo {
     DeviceType type = DeviceType::other;
     std::string name, platform_name, version, driver;
     int compute_units = 0;
-    int native_width_float = 0;  ///< CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT
+    int sub_devices = 0;            ///< of one compute unit each, into which a CPU can be split; 0: it cannot be
+    uint64_t core_cache_bytes = 0;  ///< of the cache that a CPU's core has for itself (level 2); 0: unknown
+    int native_width_float = 0;     ///< CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT
     uint64_t max_work_group = 0, global_bytes = 0, max_alloc_bytes = 0;
     bool shares_memory = false;      ///< with the host
     bool correctly_rounded = false;  ///< divide and sqrt, when asked (CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT)

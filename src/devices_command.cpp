@@ -16,6 +16,10 @@ void print(const DeviceInfo& d) {
     fmt::print("     platform {}, {}, driver {}\n", d.platform_name, d.version, d.driver);
     fmt::print("     {} compute units, {} MiB, {} MiB in one buffer, native float vectors of {}\n", d.compute_units,
                d.global_bytes >> 20, d.max_alloc_bytes >> 20, d.native_width_float);
+    if (d.sub_devices > 0)
+        fmt::print("     can be split into {} cores, {} KiB of cache each\n", d.sub_devices, d.core_cache_bytes >> 10);
+    else
+        fmt::print("     cannot be split into cores\n");
     fmt::print("     correctly rounded divide and sqrt: {}, double: {}, out-of-order queue: {}, shares memory: {}\n",
                d.correctly_rounded ? "yes" : "no (corrected by fma)", yes(d.fp64), yes(d.out_of_order),
                yes(d.shares_memory));

@@ -2,21 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "chain.h"
 #include "error.h"
 #include "hierarchy.h"
 #include "pencil.h"
+#include "tiling.h"
 
 namespace gnomon {
 
 namespace {
-
-// Rays in a tile. On a CPU the buffers of the tiles under way should stay in the caches, and a launch should cost
-// little beside its work: two tiles of 128 Ki rays are 12 MiB, and a launch of one takes 0.1 ms or more. A GPU wants to
-// be filled. Rays of doubles take twice as much room.
-constexpr int cpu_tile_rays = 1 << 17, gpu_tile_rays = 1 << 20;
-constexpr int max_tile_rays = 1 << 24;
 
 int choose_lanes(int asked, const DeviceLimits& limits) {
     if (asked == 0) {
@@ -28,30 +24,6 @@ int choose_lanes(int asked, const DeviceLimits& limits) {
     for (const int lanes : {1, 4, 8, 16})
         if (asked == lanes) return lanes;
     throw Error(Blame::input, "found " + std::to_string(asked) + ", expected 1, 4, 8 or 16", "--lanes");
-}
-
-int tile_rays(int asked, const DeviceLimits& limits, Accuracy accuracy) {
-    if (asked == 0) return (limits.cpu ? cpu_tile_rays : gpu_tile_rays) / (computes_in_double(accuracy) ? 2 : 1);
-    if (asked >= BLOCK_RAYS && asked <= max_tile_rays) return asked;
-    throw Error(Blame::input,
-                "found " + std::to_string(asked) + ", expected rays a tile, " + std::to_string(BLOCK_RAYS) + " to " +
-                    std::to_string(max_tile_rays),
-                "--tile");
-}
-
-/// Whole rows of blocks where they fit a tile, parts of one row where they do not.
-std::vector<Tile> cut(const ImageSize& image, int rays) {
-    const int blocks_x = (image.width + BLOCK_SIDE - 1) / BLOCK_SIDE,
-              blocks_y = (image.height + BLOCK_SIDE - 1) / BLOCK_SIDE;
-    const int wide = std::min(blocks_x, rays / BLOCK_RAYS),
-              high = std::min(blocks_y, std::max(1, rays / BLOCK_RAYS / wide));
-    std::vector<Tile> tiles;
-    for (int y = 0; y < blocks_y; y += high)
-        for (int x = 0; x < blocks_x; x += wide) {
-            const int w = std::min(wide, blocks_x - x), h = std::min(high, blocks_y - y);
-            tiles.push_back({x * BLOCK_SIDE, y * BLOCK_SIDE, w, w * h});
-        }
-    return tiles;
 }
 
 /// A block of receivers is traced as one while its depth is no more than a few times its width, 4 times the 8 pixels:
@@ -80,6 +52,13 @@ int64_t certifying_bytes(const MemoryNeeds& needs) {
            needs.views * doubles.view(needs.spheres);
 }
 
+void use(Tiling tiling, Plan& plan) {
+    plan.workers = tiling.workers;
+    plan.tile_sets = tiling.sets;
+    plan.tile_blocks = tiling.largest();
+    plan.tiles = std::move(tiling.tiles);
+}
+
 MemoryPlan share_memory(const Plan& plan, const Scene& scene, const Survey& survey, const RenderOptions& options,
                         const DeviceLimits& limits) {
     MemoryNeeds needs;
@@ -92,11 +71,9 @@ MemoryPlan share_memory(const Plan& plan, const Scene& scene, const Survey& surv
                     real_bytes(plan.accuracy)};
     needs.spheres = survey.count;
     needs.views = 1 + (options.shadows ? static_cast<int>(scene.lights.size()) : 0);
-    for (const Tile& tile : plan.tiles) {
-        needs.image_rays += int64_t{tile.blocks} * BLOCK_RAYS;
-        needs.tile_rays = std::max(needs.tile_rays, int64_t{tile.blocks} * BLOCK_RAYS);
-    }
-    needs.tiles_under_way = std::min<int64_t>(tile_sets, static_cast<int64_t>(plan.tiles.size()));
+    for (const Tile& tile : plan.tiles) needs.image_rays += int64_t{tile.blocks} * BLOCK_RAYS;
+    needs.tile_rays = int64_t{plan.tile_blocks} * BLOCK_RAYS;
+    needs.tiles_under_way = plan.tile_sets;
     needs.asked_tile_rays = options.tile;
     needs.film_bytes_per_ray = plan.write_in_place ? 0 : 3 * 4;
     needs.all_views = options.accuracy == Accuracy::certified;
@@ -120,6 +97,8 @@ DeviceLimits::DeviceLimits(const DeviceInfo& info)
       global_bytes(info.global_bytes),
       max_alloc_bytes(info.max_alloc_bytes),
       compute_units(info.compute_units),
+      sub_devices(info.sub_devices),
+      core_cache_bytes(info.core_cache_bytes),
       shares_memory(info.shares_memory) {}
 
 const char* to_string(Kernel kernel) {
@@ -187,8 +166,11 @@ Plan make_plan(const Scene& scene, const Survey& survey, const RenderOptions& op
     plan.local_size = static_cast<int>(std::min<uint64_t>(limits.cpu ? 16 : 64, limits.max_work_group));
     plan.slice_local_size = limits.cpu ? 1 : plan.local_size;
     plan.max_slices = limits.compute_units * (limits.cpu ? 16 : 64);
-    plan.tiles = cut(scene.image, tile_rays(options.tile, limits, options.accuracy));
     plan.spheres = survey.count;
+    plan.certified = options.accuracy == Accuracy::certified;
+    // A hierarchy's rays differ: all that is hard may lie in one tile. And the list of undecided pixels is one for all.
+    const bool even = plan.flat() && !plan.certified;
+    use(choose_tiling(scene.image, options.tile, even, real_bytes(plan.accuracy), limits), plan);
     plan.has_rests = !choose_frame(scene, survey).floats;
     plan.group_depth = group_depth(scene);
     const uint64_t plane_bytes =
@@ -196,9 +178,8 @@ Plan make_plan(const Scene& scene, const Survey& survey, const RenderOptions& op
     plan.write_in_place = limits.shares_memory && plane_bytes <= limits.max_alloc_bytes;
     plan.stream = plan.write_in_place && limits.cpu;
     if (survey.count > 0) plan.memory = share_memory(plan, scene, survey, options, limits);
-    if (plan.memory.by_view) plan.tiles = cut(scene.image, static_cast<int>(plan.memory.tile_rays));
+    if (plan.memory.by_view) use(one_by_one(scene.image, static_cast<int>(plan.memory.tile_rays)), plan);
     plan.albedos_of_rays = plan.memory.cut && !survey.one_albedo;
-    plan.certified = options.accuracy == Accuracy::certified;
     if (plan.certified && plan.memory.by_view)
         throw Error(Blame::input, "a certified picture needs all spheres on the device at once", "--accuracy certified",
                     "allow more --memory, or render with --accuracy strict");
@@ -210,7 +191,6 @@ Plan make_plan(const Scene& scene, const Survey& survey, const RenderOptions& op
         !few_launches || !plan.write_in_place || plan.rays_per_item() * plan.local_size % BLOCK_RAYS != 0;
     add_steps(plan, scene, options);
     if (!plan.steps.empty()) add_sphere_kernels(plan, scene);
-    for (const Tile& tile : plan.tiles) plan.tile_blocks = std::max(plan.tile_blocks, tile.blocks);
     return plan;
 }
 
@@ -223,8 +203,7 @@ Plan make_refinement_plan(const Plan& plan, const Scene& scene) {
     refined.generate_rays = refined.resolve_radiance = true;
     refined.write_in_place = refined.stream = false;
     const int blocks = refinement_batch / BLOCK_RAYS;
-    refined.tiles = {{0, 0, blocks, blocks}};
-    refined.tile_blocks = blocks;
+    use({{{0, 0, blocks, blocks}}, 1, 1}, refined);
     refined.steps.clear();
     refined.variants.clear();
     add_refinement_steps(refined, scene, plan.uses(Kernel::shade_light));

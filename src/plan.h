@@ -18,7 +18,9 @@ struct DeviceLimits {
     int native_width_float = 16;
     uint64_t max_work_group = 4096, global_bytes = uint64_t{4} << 30, max_alloc_bytes = uint64_t{1} << 30;
     int compute_units = 2;
-    bool shares_memory = true;  ///< with the host: the film is written in place
+    int sub_devices = 2;                  ///< of a unit each, on which tiles can run; 0: none
+    uint64_t core_cache_bytes = 1 << 20;  ///< of a CPU's core; 0: unknown
+    bool shares_memory = true;            ///< with the host: the film is written in place
 
     DeviceLimits() = default;
     explicit DeviceLimits(const DeviceInfo& info);
@@ -92,6 +94,8 @@ struct Plan {
     bool write_in_place = true;     ///< the film's planes are the device's buffers
     int tile_blocks = 0;            ///< blocks in the largest tile
     std::vector<Tile> tiles;        ///< covering the image, row by row
+    int workers = 1;                ///< who works on tiles: 1, the whole device; more, so many of its cores
+    int tile_sets = 1;              ///< tiles under way at once, each with buffers of its own
     std::vector<Variant> variants;  ///< the kernels to build: these and no others
     std::vector<Step> steps;        ///< for each tile, in order; empty when there is nothing to trace
     float group_depth = 0;  ///< receivers whose distances differ by no more than this factor are traced together
@@ -108,9 +112,6 @@ struct Plan {
     bool uses(Kernel kernel) const;   ///< some step launches it
     int slices(int64_t pairs) const;  ///< a sort's, of so many
 };
-
-/// How many tiles are under way at once: one computes while the one before is read back.
-constexpr int tile_sets = 2;
 
 /// Of the spheres only what the survey says is looked at. Throws Error(Blame::input) for lanes or a tile that cannot
 /// be, Error(Blame::run) when the scene does not fit the device.

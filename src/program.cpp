@@ -6,8 +6,8 @@
 
 namespace gnomon {
 
-Programs::Programs(const cl::Context& context, const cl::Device& device, const DeviceInfo& info)
-    : context_(context), device_(device), device_name_(info.name), correctly_rounded_(info.correctly_rounded) {
+Programs::Programs(const cl::Context& context, const std::vector<cl::Device>& devices, const DeviceInfo& info)
+    : context_(context), devices_(devices), device_name_(info.name), correctly_rounded_(info.correctly_rounded) {
     // PoCL on a CPU: clang's builtins are at hand.
     const bool pocl = info.platform_name == "Portable Computing Language" && info.type == DeviceType::cpu;
     common_options_ = pocl ? " -D CLANG_TO_MACHINE=1" : " -D CLANG_TO_MACHINE=0";
@@ -31,11 +31,11 @@ const BuiltKernel& Programs::get(const Variant& variant) {
     const std::string name = to_string(variant.kernel), options = this->options(variant);
     cl::Program program(context_, kernel_source(name));
     try {
-        program.build({device_}, options.c_str());
+        program.build(devices_, options.c_str());
     } catch (const cl::Error& error) {
         throw Error(Blame::run,
                     "cannot build kernel " + name + " (" + options + "): " + describe(error) + "\n" +
-                        program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_),
+                        program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(devices_.front()),
                     device_name_);
     }
     const cl::Kernel kernel(program, name.c_str());

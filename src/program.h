@@ -20,7 +20,9 @@ struct BuiltKernel {
 /// The kernels of one device. Not for use by several threads at once.
 class Programs {
   public:
-    Programs(const cl::Context& context, const cl::Device& device, const DeviceInfo& info);
+    /// `devices`: those on whose queues kernels are launched, the whole device first and then parts of it, which share
+    /// what is built where the driver knows that they are alike.
+    Programs(const cl::Context& context, const std::vector<cl::Device>& devices, const DeviceInfo& info);
 
     /// Builds the variant unless it was built before. Throws Error(Blame::run) with the compiler's log.
     const BuiltKernel& get(const Variant& variant);
@@ -32,7 +34,7 @@ class Programs {
     std::string key(const Variant& variant) const;  // kernel and options, as the compiler sees them
 
     cl::Context context_;
-    cl::Device device_;
+    std::vector<cl::Device> devices_;
     std::string device_name_;
     bool correctly_rounded_;
     std::string common_options_;

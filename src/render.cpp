@@ -16,12 +16,6 @@ namespace gnomon {
 
 namespace {
 
-cl::CommandQueue make_queue(const cl::Context& context, const cl::Device& device, const DeviceInfo& info) {
-    cl_command_queue_properties properties = CL_QUEUE_PROFILING_ENABLE;
-    if (info.out_of_order) properties |= CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE;
-    return cl::CommandQueue(context, device, properties);
-}
-
 template <class T>
 void fill(Plane<T>& plane, T value) {
     std::fill(plane.begin(), plane.end(), value);
@@ -50,6 +44,7 @@ RenderStats planned(const Plan& plan, const Scene& scene) {
     stats.lanes = plan.lanes;
     stats.packets = plan.packets;
     stats.tiles = static_cast<int>(plan.tiles.size());
+    stats.workers = plan.workers;
     stats.tile_rays = int64_t{plan.tile_blocks} * BLOCK_RAYS;
     stats.planned_bytes = plan.memory.peak_bytes;
     stats.pixels = int64_t{plan.image.width} * plan.image.height;
@@ -103,9 +98,7 @@ struct Still {
 
 struct Renderer::State {
     DeviceInfo info;
-    cl::Device device;
-    cl::Context context;
-    cl::CommandQueue queue;
+    Workers workers;
     Programs programs;
     DeviceMemory memory;
     TilePool tiles, refined_tiles;
@@ -113,11 +106,9 @@ struct Renderer::State {
 
     explicit State(const DeviceInfo& i)
         : info(i),
-          device(open_device(i)),
-          context(device),
-          queue(make_queue(context, device, i)),
-          programs(context, device, i),
-          memory(context, i.shares_memory),
+          workers(i),
+          programs(workers.context(), workers.devices(), i),
+          memory(workers.context(), i.shares_memory),
           tiles(),
           refined_tiles() {}
 
@@ -163,7 +154,7 @@ struct Renderer::State {
     /// From the spheres to the film.
     void run(const Job& job, const std::vector<cl::Kernel>& kernels, Film& film, RenderStats& stats) {
         const double start = now();
-        Launcher launcher(queue, programs);
+        Launcher launcher(workers.whole(), programs);
         SphereKernels sphere_kernels(memory, launcher, job.plan);
         const Still& spheres = still_spheres(job, sphere_kernels);
         std::optional<ChunkedSpheres> chunks;
@@ -176,7 +167,7 @@ struct Renderer::State {
         if (chunks) launcher.finish();
         const std::vector<cl::Event> ready = launcher.last();
         const double asked_at = now();
-        Scheduler scheduler(context, queue, memory, job.plan, buffers, tiles.get(memory, job.plan), kernels, film);
+        Scheduler scheduler(workers, memory, job.plan, buffers, tiles.get(memory, job.plan), kernels, film);
         if (chunks) scheduler.take_spheres_from(*chunks);
         const Measured run = scheduler.run(ready, job.options.progress);
         measured(job.plan, run, stats);
@@ -197,11 +188,11 @@ struct Renderer::State {
         std::vector<int> left = pixels;
         if (info.fp64) {
             const Plan plan = make_refinement_plan(job.plan, job.scene);
-            Launcher launcher(queue, programs);
+            Launcher launcher(workers.whole(), programs);
             SphereKernels kernels(memory, launcher, plan);
             SceneBuffers buffers = prepare(kernels, job.scene, job.survey, job.frame, &spheres.clusters, plan);
             buffers.albedos = spheres.rows.albedos;
-            Refinement refinement(context, queue, memory, programs, plan, buffers,
+            Refinement refinement(workers.context(), workers.whole(), memory, programs, plan, buffers,
                                   refined_tiles.get(memory, plan).front(), film);
             left = refinement.refine(pixels, launcher.last());
         }

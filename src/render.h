@@ -40,6 +40,7 @@ struct KernelStats {
 struct RenderStats {
     Accuracy accuracy = Accuracy::strict;
     int lanes = 0, packets = 0, tiles = 0;
+    int workers = 0;  ///< on tiles: 1, the whole device; more, so many of its cores, each on a tile of its own
     int64_t tile_rays = 0;
     int64_t planned_bytes = 0, peak_bytes = 0;  ///< of the device: what the plan said, and what it came to
     int chunks = 1;                             ///< in which the spheres went through the device

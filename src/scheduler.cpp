@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "dealer.h"
+
 namespace gnomon {
 
 namespace {
@@ -19,11 +21,16 @@ bool meets_spheres(Kernel kernel, const Plan& plan) {
 
 }  // namespace
 
-Scheduler::Scheduler(const cl::Context& context, const cl::CommandQueue& queue, const DeviceMemory& memory,
-                     const Plan& plan, const SceneBuffers& scene, const std::vector<TileBuffers>& tiles,
-                     std::vector<cl::Kernel> kernels, Film& film)
-    : queue_(queue), plan_(plan), scene_(scene), kernels_(std::move(kernels)), film_(film) {
-    for (const TileBuffers& buffers : tiles) slots_.push_back({buffers, {}, 0});
+Scheduler::Scheduler(const Workers& workers, const DeviceMemory& memory, const Plan& plan, const SceneBuffers& scene,
+                     const std::vector<TileBuffers>& tiles, std::vector<cl::Kernel> kernels, Film& film)
+    : queue_(workers.whole()),
+      workers_(workers.queues(plan.workers)),
+      plan_(plan),
+      scene_(scene),
+      kernels_(std::move(kernels)),
+      film_(film) {
+    for (const TileBuffers& buffers : tiles)
+        slots_.push_back({workers_[slots_.size() % workers_.size()], buffers, {}, 0});
     launched_.resize(plan.tiles.size());
     measured_.launches.resize(plan.variants.size());
     measured_.seconds.resize(plan.variants.size());
@@ -33,30 +40,29 @@ Scheduler::Scheduler(const cl::Context& context, const cl::CommandQueue& queue, 
     }
     hit_counts_ = memory.room<int>(groups_);
     undecided_ = memory.room<int>(plan.certified ? 1 + int64_t{plan.image.width} * plan.image.height : 1);
-    binder_.emplace(context, plan, scene, film, hit_counts_, undecided_);
+    binder_.emplace(workers.context(), plan, scene, film, hit_counts_, undecided_);
 }
 
 Measured Scheduler::run(const std::vector<cl::Event>& after, const std::function<void(double)>& progress) {
     std::vector<int> hits(static_cast<size_t>(groups_));
     // Commands under way write into the film and the counts: never leave before they have ended.
     struct Finish {
-        cl::CommandQueue& queue;
-        ~Finish() { clFinish(queue()); }
-    } finish{queue_};
-    const size_t count = plan_.tiles.size();
-    cl::Event cleared;
-    queue_.enqueueFillBuffer(hit_counts_, 0, 0, static_cast<size_t>(groups_) * sizeof(int), &after, &cleared);
-    cl::Event emptied;
-    queue_.enqueueFillBuffer(undecided_, 0, 0, sizeof(int), &after, &emptied);
-    for (Slot& slot : slots_) slot.busy = {cleared, emptied};
-    for (size_t tile = 0; tile < count; ++tile) {
-        enqueue(tile);
-        if (tile >= tiles_ahead) await(tile - tiles_ahead, progress);
-    }
-    if (progress)
-        for (size_t tile = count - std::min(count, tiles_ahead); tile < count; ++tile) await(tile, progress);
-    queue_.finish();
-    for (size_t tile = 0; tile < count; ++tile) collect(tile);
+        Scheduler& scheduler;
+        ~Finish() {
+            for (const cl::CommandQueue& queue : scheduler.workers_) clFinish(queue());
+            clFinish(scheduler.queue_());
+        }
+    } finish{*this};
+    std::vector<cl::Event> ready = after;
+    queue_.enqueueFillBuffer(hit_counts_, 0, 0, static_cast<size_t>(groups_) * sizeof(int), nullptr,
+                             &ready.emplace_back());
+    if (plan_.certified) queue_.enqueueFillBuffer(undecided_, 0, 0, sizeof(int), nullptr, &ready.emplace_back());
+    queue_.flush();  // or other queues might wait for it forever (OpenCL 1.2, 5.13)
+    for (Slot& slot : slots_) slot.busy = ready;
+    if (plan_.workers > 1)
+        deal_to_cores(progress);
+    else
+        run_ahead(progress);
     queue_.enqueueReadBuffer(hit_counts_, CL_FALSE, 0, hits.size() * sizeof(int), hits.data());
     if (plan_.write_in_place) map_film();
     queue_.finish();
@@ -65,15 +71,38 @@ Measured Scheduler::run(const std::vector<cl::Event>& after, const std::function
     return measured_;
 }
 
+/// All cores share each launch. The host is ahead of them.
+void Scheduler::run_ahead(const std::function<void(double)>& progress) {
+    const size_t count = plan_.tiles.size();
+    for (size_t tile = 0; tile < count; ++tile) {
+        enqueue(tile, slots_[tile % slots_.size()]);
+        if (tile >= tiles_ahead) await(tile - tiles_ahead, progress);
+    }
+    if (progress)
+        for (size_t tile = count - std::min(count, tiles_ahead); tile < count; ++tile) await(tile, progress);
+    queue_.finish();
+    for (size_t tile = 0; tile < count; ++tile) collect(tile);
+}
+
+/// Each core works on a tile of its own, and takes the next one itself.
+void Scheduler::deal_to_cores(const std::function<void(double)>& progress) {
+    Deal tiles{plan_.tiles.size(), workers_.size(), {}, [this](size_t tile) { collect(tile); }, progress};
+    tiles.launch = [this](size_t tile, size_t worker) {
+        Slot& slot = slots_[worker];
+        enqueue(tile, slot);
+        return slot.busy.back();
+    };
+    deal(tiles);
+}
+
 void Scheduler::await(size_t tile, const std::function<void(double)>& progress) {
     launched_[tile].back().event.wait();
     collect(tile);
     if (progress) progress(static_cast<double>(tile + 1) / static_cast<double>(plan_.tiles.size()));
 }
 
-void Scheduler::enqueue(size_t index) {
+void Scheduler::enqueue(size_t index, Slot& slot) {
     const Tile& tile = plan_.tiles[index];
-    Slot& slot = slots_[index % slots_.size()];
     slot.first_group = first_groups_[index];
     for (const Step& step : plan_.steps) {
         if (chunks_ && meets_spheres(step.kernel, plan_))
@@ -82,7 +111,7 @@ void Scheduler::enqueue(size_t index) {
             launch(index, {step, tile, slot.buffers, slot.first_group, &resident_spheres(step)}, slot);
         if (step.kernel == Kernel::resolve && !plan_.write_in_place) read_planes(step.output, tile, slot);
     }
-    queue_.flush();
+    slot.queue.flush();
 }
 
 const SphereBuffers& Scheduler::resident_spheres(const Step& step) const {
@@ -117,7 +146,7 @@ void Scheduler::launch(size_t index, const TileLaunch& what, Slot& slot) {
     binder_->bind(kernel, what);
     const size_t local = static_cast<size_t>(plan_.local_size), global = groups(what.step.kernel, what.tile) * local;
     cl::Event done;
-    queue_.enqueueNDRangeKernel(kernel, cl::NullRange, global, local, &slot.busy, &done);
+    slot.queue.enqueueNDRangeKernel(kernel, cl::NullRange, global, local, &slot.busy, &done);
     slot.busy = {done};
     launched_[index].push_back({variant, done});
 }
@@ -132,10 +161,13 @@ void Scheduler::read_planes(Output output, const Tile& tile, Slot& slot) {
     size_t c = 0;
     for (const auto& [data, bytes] : planes_of(film_, output)) {
         cl::Event done;
-        queue_.enqueueReadBufferRect(slot.buffers.planes[c++], CL_FALSE, {0, 0, 0}, {x * value, y, 0}, region,
-                                     tile_width * value, 0, width * value, 0, data, &resolved, &done);
+        slot.queue.enqueueReadBufferRect(slot.buffers.planes[c++], CL_FALSE, {0, 0, 0}, {x * value, y, 0}, region,
+                                         tile_width * value, 0, width * value, 0, data, &resolved, &done);
         slot.busy.push_back(done);
     }
+    cl::Event all;
+    slot.queue.enqueueMarkerWithWaitList(&slot.busy, &all);
+    slot.busy = {all};
 }
 
 /// Adds up what the launches of a tile took that has ended.

@@ -10,6 +10,7 @@
 #include "film.h"
 #include "launcher.h"
 #include "plan.h"
+#include "workers.h"
 
 namespace gnomon {
 
@@ -25,9 +26,8 @@ struct Measured {
 class Scheduler {
   public:
     /// `tiles` are the buffers of the tiles under way, `kernels` the plan's variants, built.
-    Scheduler(const cl::Context& context, const cl::CommandQueue& queue, const DeviceMemory& memory, const Plan& plan,
-              const SceneBuffers& scene, const std::vector<TileBuffers>& tiles, std::vector<cl::Kernel> kernels,
-              Film& film);
+    Scheduler(const Workers& workers, const DeviceMemory& memory, const Plan& plan, const SceneBuffers& scene,
+              const std::vector<TileBuffers>& tiles, std::vector<cl::Kernel> kernels, Film& film);
 
     /// Where the spheres are if the plan cuts the scene.
     void take_spheres_from(ChunkedSpheres& chunks) { chunks_ = &chunks; }
@@ -36,8 +36,9 @@ class Scheduler {
     Measured run(const std::vector<cl::Event>& after, const std::function<void(double)>& progress);
 
   private:
-    /// A tile under way: its buffers, and the events after which they are free.
+    /// A tile under way: the queue of its worker, its buffers, and the events after which they are free.
     struct Slot {
+        cl::CommandQueue queue;
         TileBuffers buffers;
         std::vector<cl::Event> busy;
         int first_group;  // of its work-groups, in hit_counts_
@@ -47,7 +48,9 @@ class Scheduler {
         cl::Event event;
     };
 
-    void enqueue(size_t tile);
+    void run_ahead(const std::function<void(double)>& progress);
+    void deal_to_cores(const std::function<void(double)>& progress);
+    void enqueue(size_t tile, Slot& slot);
     size_t groups(Kernel kernel, const Tile& tile) const;
     void launch(size_t tile, const TileLaunch& what, Slot& slot);
     void launch_chunks(size_t tile, const Step& step, Slot& slot);
@@ -59,7 +62,8 @@ class Scheduler {
     void read_undecided();
     void map_film();
 
-    cl::CommandQueue queue_;
+    cl::CommandQueue queue_;                 // of the whole device
+    std::vector<cl::CommandQueue> workers_;  // on which tiles run
     const Plan& plan_;
     const SceneBuffers& scene_;
     ChunkedSpheres* chunks_ = nullptr;

@@ -43,6 +43,8 @@ Json to_json(const DeviceInfo& d) {
             {"version", d.version},
             {"driver", d.driver},
             {"compute_units", d.compute_units},
+            {"sub_devices", d.sub_devices},
+            {"core_cache_bytes", d.core_cache_bytes},
             {"native_width_float", d.native_width_float},
             {"max_work_group", d.max_work_group},
             {"global_bytes", d.global_bytes},
@@ -61,8 +63,9 @@ Json to_json(const RunStats& run, const Scene& scene, const DeviceInfo& device) 
     json["scene"] = {{"file", run.scene_path}, {"sha1", scene.sha1}, {"spheres", r.spheres}, {"lights", r.lights}};
     json["accuracy"] = to_string(r.accuracy);
     json["image"] = {{"width", scene.image.width}, {"height", scene.image.height}};
-    json["plan"] = {{"lanes", r.lanes}, {"packets", r.packets}, {"tile_rays", r.tile_rays},
-                    {"tiles", r.tiles}, {"chunks", r.chunks},   {"planned_bytes", r.planned_bytes}};
+    json["plan"] = {
+        {"lanes", r.lanes},     {"packets", r.packets}, {"tile_rays", r.tile_rays},        {"tiles", r.tiles},
+        {"workers", r.workers}, {"chunks", r.chunks},   {"planned_bytes", r.planned_bytes}};
     json["seconds"] = {{"load", run.load_seconds},     {"device", run.device_seconds}, {"build", r.build_seconds},
                        {"prepare", r.prepare_seconds}, {"trace", r.trace_seconds},     {"write", run.write_seconds},
                        {"check", run.check_seconds}};

@@ -44,7 +44,7 @@ class Bench {
           device(open_device(of)),
           context(device),
           queue(context, device),
-          programs(context, device, of),
+          programs(context, {device}, of),
           local(of.type == DeviceType::cpu ? 16 : 64) {}
 
     /// Sets all arguments and launches. There is always a work-item more than `items`, which must do nothing.

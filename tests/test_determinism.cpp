@@ -40,12 +40,14 @@ Scene scaled(Scene scene, double factor) {
 
 /// The device as if its driver described it otherwise.
 std::vector<DeviceInfo> otherwise(const DeviceInfo& device) {
-    std::vector<DeviceInfo> result(5, device);
+    std::vector<DeviceInfo> result(6, device);
     result[0].shares_memory = false;      // planes are read back
     result[1].out_of_order = false;       // one launch after the other
     result[2].correctly_rounded = false;  // divide and sqrt are corrected
     result[3].type = device.type == DeviceType::cpu ? DeviceType::gpu : DeviceType::cpu;  // other lanes and groups
+    result[3].sub_devices = 0;
     result[4].max_work_group = 1;
+    result[5].sub_devices = 0;  // all cores share each tile
     return result;
 }
 

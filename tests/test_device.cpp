@@ -121,6 +121,7 @@ TEST_CASE("the devices here describe themselves plausibly", "[device]") {
         CHECK(d.version.rfind("OpenCL ", 0) == 0);  // OpenCL 1.2, table 4.3: CL_DEVICE_VERSION
         CHECK(d.name.find('\0') == std::string::npos);
         CHECK(d.compute_units > 0);
+        CHECK((d.sub_devices == 0 || (d.sub_devices == d.compute_units && d.sub_devices > 1)));
         CHECK(d.max_work_group >= 1);
         CHECK(d.max_alloc_bytes >= 1 << 20);
         CHECK(d.global_bytes >= d.max_alloc_bytes);

@@ -32,6 +32,7 @@ DeviceLimits gpu() {
     limits.native_width_float = 1;
     limits.max_work_group = 1024;
     limits.shares_memory = false;
+    limits.sub_devices = 0;
     return limits;
 }
 

@@ -107,6 +107,8 @@ TEST_CASE("limits are those of the device", "[plan]") {
     info.global_bytes = 4;
     info.max_alloc_bytes = 5;
     info.shares_memory = true;
+    info.sub_devices = 6;
+    info.core_cache_bytes = 7;
     const DeviceLimits limits(info);
     CHECK_FALSE(limits.cpu);
     CHECK(limits.native_width_float == 2);
@@ -114,6 +116,8 @@ TEST_CASE("limits are those of the device", "[plan]") {
     CHECK(limits.global_bytes == 4);
     CHECK(limits.max_alloc_bytes == 5);
     CHECK(limits.shares_memory);
+    CHECK(limits.sub_devices == 6);
+    CHECK(limits.core_cache_bytes == 7);
     info.type = DeviceType::cpu;
     CHECK(DeviceLimits(info).cpu);
 }

@@ -53,7 +53,7 @@ RootsBench::RootsBench(const DeviceInfo& device) try
       device_(open_device(device)),
       context_(device_),
       queue_(context_, device_, CL_QUEUE_PROFILING_ENABLE),
-      programs_(context_, device_, device) {
+      programs_(context_, {device_}, device) {
 } catch (const cl::Error& error) {
     throw Error(Blame::run, describe(error), device.name);
 }

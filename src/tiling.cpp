@@ -1,0 +1,102 @@
+#include "tiling.h"
+
+#include <algorithm>
+
+#include "error.h"
+
+namespace gnomon {
+
+namespace {
+
+// Rays in a tile that the whole device works on. On a CPU the buffers of the tiles under way should stay in the caches,
+// and a launch should cost little beside its work: two tiles of 128 Ki rays are 12 MiB, and a launch of one takes 0.1
+// ms or more. A GPU wants to be filled. Rays of doubles take twice as much room.
+constexpr int cpu_tile_rays = 1 << 17, gpu_tile_rays = 1 << 20;
+constexpr int max_tile_rays = 1 << 24;
+
+// What a core's cache holds if nobody can tell.
+constexpr int64_t assumed_core_cache = 1 << 20;
+// Rays in a tile that one core works on, at least: few spheres take 0.1 ms for 16 Ki rays, a tile's launches 20 us.
+constexpr int64_t least_core_tile_rays = 1 << 14;
+// Tiles are launched one at a time: with more workers than this they would wait for it longer than they work.
+constexpr int most_workers = 8;
+
+void check(int asked) {
+    if (asked == 0 || (asked >= BLOCK_RAYS && asked <= max_tile_rays)) return;
+    throw Error(Blame::input,
+                "found " + std::to_string(asked) + ", expected rays a tile, " + std::to_string(BLOCK_RAYS) + " to " +
+                    std::to_string(max_tile_rays),
+                "--tile");
+}
+
+/// Row by row. `rays_of_next` says how many rays the next tile has at most, when so many blocks are left: whole rows of
+/// blocks where they fit, equal parts of what is left of a row where they do not.
+template <class RaysOfNext>
+std::vector<Tile> cut(const ImageSize& image, RaysOfNext rays_of_next) {
+    const int blocks_x = (image.width + BLOCK_SIDE - 1) / BLOCK_SIDE,
+              blocks_y = (image.height + BLOCK_SIDE - 1) / BLOCK_SIDE;
+    std::vector<Tile> tiles;
+    for (int x = 0, y = 0; y < blocks_y;) {
+        const int left_x = blocks_x - x, left_y = blocks_y - y;
+        const auto blocks = static_cast<int>(rays_of_next(int64_t{left_y} * blocks_x - x) / BLOCK_RAYS);
+        const int parts = (left_x + blocks - 1) / blocks, wide = (left_x + parts - 1) / parts,
+                  high = wide == blocks_x ? std::clamp(blocks / blocks_x, 1, left_y) : 1;
+        tiles.push_back({x * BLOCK_SIDE, y * BLOCK_SIDE, wide, wide * high});
+        x = (x + wide) % blocks_x;
+        if (x == 0) y += high;
+    }
+    return tiles;
+}
+
+std::vector<Tile> cut_alike(const ImageSize& image, int rays) {
+    return cut(image, [=](int64_t) { return rays; });
+}
+
+/// What intersect_closest hands on to the lights' launches (dir, normal, t, id) should still be in the core's cache
+/// when they read it. That of one and a half times as many rays as fit was found the fastest: fewer mean more launches.
+/// To the end tiles become smaller, half of a worker's share of the rest, so that all workers end at about the same
+/// time (guided self-scheduling, Polychronopoulos and Kuck 1987, with half the share).
+std::vector<Tile> cut_for_cores(const ImageSize& image, int workers, int real_bytes, const DeviceLimits& limits) {
+    const int64_t cache =
+        limits.core_cache_bytes > 0 ? static_cast<int64_t>(limits.core_cache_bytes) : assumed_core_cache;
+    const int64_t handed_on = (3 + 3 + 1) * real_bytes + 4;
+    const int64_t most = std::clamp<int64_t>(cache * 3 / 2 / handed_on, least_core_tile_rays, cpu_tile_rays);
+    return cut(image, [=](int64_t blocks_left) {
+        return std::clamp(blocks_left * BLOCK_RAYS / (2 * workers), least_core_tile_rays, most);
+    });
+}
+
+/// A core's own cache holds one tile, and there is nothing else for it to do meanwhile.
+Tiling for_cores(const ImageSize& image, int asked, int real_bytes, const DeviceLimits& limits) {
+    const int workers = limits.sub_devices;
+    return {asked > 0 ? cut_alike(image, asked) : cut_for_cores(image, workers, real_bytes, limits), workers, workers};
+}
+
+/// One tile computes while another is read back.
+Tiling for_whole_device(const ImageSize& image, int asked, int real_bytes, const DeviceLimits& limits) {
+    const int liked = (limits.cpu ? cpu_tile_rays : gpu_tile_rays) * 4 / real_bytes;
+    Tiling tiling{cut_alike(image, asked > 0 ? asked : liked), 1, 2};
+    tiling.sets = std::min(tiling.sets, static_cast<int>(tiling.tiles.size()));
+    return tiling;
+}
+
+}  // namespace
+
+int Tiling::largest() const {
+    int blocks = 0;
+    for (const Tile& tile : tiles) blocks = std::max(blocks, tile.blocks);
+    return blocks;
+}
+
+Tiling one_by_one(const ImageSize& image, int rays) { return {cut_alike(image, rays), 1, 1}; }
+
+Tiling choose_tiling(const ImageSize& image, int asked, bool even, int real_bytes, const DeviceLimits& limits) {
+    check(asked);
+    if (even && limits.sub_devices > 1 && limits.sub_devices <= most_workers) {
+        const Tiling shared = for_cores(image, asked, real_bytes, limits);
+        if (shared.tiles.size() >= 2 * static_cast<size_t>(shared.workers)) return shared;
+    }
+    return for_whole_device(image, asked, real_bytes, limits);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,35 @@
+#include "workers.h"
+
+namespace gnomon {
+
+namespace {
+
+/// The device and, if it can be split, its cores.
+std::vector<cl::Device> open(const DeviceInfo& info) {
+    cl::Device whole = open_device(info);
+    std::vector<cl::Device> devices{whole}, cores;
+    if (info.sub_devices == 0) return devices;
+    const cl_device_partition_property one_unit_each[] = {CL_DEVICE_PARTITION_EQUALLY, 1, 0};
+    whole.createSubDevices(one_unit_each, &cores);
+    devices.insert(devices.end(), cores.begin(), cores.end());
+    return devices;
+}
+
+cl::CommandQueue make_queue(const cl::Context& context, const cl::Device& device, const DeviceInfo& info) {
+    cl_command_queue_properties properties = CL_QUEUE_PROFILING_ENABLE;
+    if (info.out_of_order) properties |= CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE;
+    return cl::CommandQueue(context, device, properties);
+}
+
+}  // namespace
+
+Workers::Workers(const DeviceInfo& info) : devices_(open(info)), context_(devices_) {
+    for (const cl::Device& device : devices_) queues_.push_back(make_queue(context_, device, info));
+}
+
+std::vector<cl::CommandQueue> Workers::queues(int workers) const {
+    if (workers == 1) return {whole()};
+    return {queues_.begin() + 1, queues_.begin() + 1 + workers};
+}
+
+}  // namespace gnomon
