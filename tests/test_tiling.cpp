@@ -85,6 +85,27 @@ TEST_CASE("tiling: a core's tile follows its cache, and the last tiles are small
                          [](const Tile& a, const Tile& b) { return a.blocks < b.blocks; }));
 }
 
+TEST_CASE("tiling: the whole device's tiles are about square, and whole pairs of blocks wide", "[plan][tiling]") {
+    DeviceLimits whole;
+    whole.sub_devices = 0;
+    for (const int rays : {1 << 10, 1 << 14, 1 << 17})
+        for (const ImageSize image : {ImageSize{1920, 1080}, ImageSize{1000, 1000}, ImageSize{8, 4096}}) {
+            RenderOptions options;
+            options.tile = rays;
+            const Plan plan = plan_of(image.width, image.height, whole, options);
+            CHECK(plan.tile_blocks * BLOCK_RAYS <= rays);
+            for (const Tile& tile : plan.tiles) {
+                const int high = tile.blocks / tile.blocks_x;
+                CHECK((tile.blocks_x % 2 == 0 || tile.x + tile.blocks_x * BLOCK_SIDE >= image.width));
+                CHECK(tile.x % (2 * BLOCK_SIDE) == 0);
+                // Cutting into equal parts and making them even narrows a tile to no less than half.
+                CHECK(tile.blocks_x * tile.blocks_x <= rays / BLOCK_RAYS);
+                CHECK((high <= 4 * tile.blocks_x || image.width < 64 ||
+                       tile.x + tile.blocks_x * BLOCK_SIDE >= image.width));
+            }
+        }
+}
+
 TEST_CASE("tiling: memory is planned for the tiles of all workers", "[plan][tiling][memory]") {
     DeviceLimits four, whole;
     four.sub_devices = 4;
