@@ -41,4 +41,8 @@ double nearest(const Interval& x, const Interval& scale) {
     return mpfi_get_d(mpfi(x));
 }
 
+Known known(const Vector<Interval>& v, const Interval& scale) {
+    return {{nearest(v.x, scale), nearest(v.y, scale), nearest(v.z, scale)}, 0};
+}
+
 }  // namespace gnomon::oracle
