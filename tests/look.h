@@ -31,19 +31,18 @@ class Look {
 
     const Line<Real>& line() const { return line_; }
 
-    /// Whichever ends first is no later than any: of those that do not begin after that, the lowest id.
+    /// In the order of ids, so that of equal distances the lowest id's stays. What begins after another has ended need
+    /// not be compared.
     std::optional<Meeting<Real>> closest() const {
-        const Sight sight(line_);
-        std::vector<Meeting<Real>> met;
-        for (const Kept& kept : spheres_) {
-            if (!sight.may_meet(kept.sphere, Hit::infinity)) continue;
-            if (const auto t = first_root(Quadratic(line_, kept.sphere))) met.push_back({&kept, *t});
-        }
+        const std::vector<Meeting<Real>> met = meetings();
         if (met.empty()) return {};
-        const auto& ends_first = *std::min_element(
-            met.begin(), met.end(), [](const auto& a, const auto& b) { return upper(a.t) < upper(b.t); });
-        return *std::find_if(met.begin(), met.end(),
-                             [&](const auto& m) { return &m == &ends_first || sign(Real(m.t - ends_first.t)) <= 0; });
+        const auto first_end = upper(std::min_element(met.begin(), met.end(), [](const auto& a, const auto& b) {
+                                         return upper(a.t) < upper(b.t);
+                                     })->t);
+        const Meeting<Real>* best = nullptr;
+        for (const Meeting<Real>& m : met)
+            if (!(lower(m.t) > first_end) && (!best || sign(Real(m.t - best->t)) < 0)) best = &m;
+        return *best;
     }
 
     Way<Real> way_to(const Light& light, const Meeting<Real>& at) const {
@@ -67,6 +66,16 @@ class Look {
     }
 
   private:
+    std::vector<Meeting<Real>> meetings() const {
+        const Sight sight(line_);
+        std::vector<Meeting<Real>> met;
+        for (const Kept& kept : spheres_) {
+            if (!sight.may_meet(kept.sphere, Hit::infinity)) continue;
+            if (const auto t = first_root(Quadratic(line_, kept.sphere))) met.push_back({&kept, *t});
+        }
+        return met;
+    }
+
     const std::vector<Kept>& spheres_;
     Line<Real> line_;
 };

@@ -3,7 +3,8 @@
 namespace gnomon::oracle {
 
 QuickInterval around(const Interval& x) {
-    return {mpfr_get_d(lower(x).backend().data(), MPFR_RNDD), mpfr_get_d(upper(x).backend().data(), MPFR_RNDU)};
+    mpfi_srcptr ends = x.backend().data();
+    return {mpfr_get_d(&ends->left, MPFR_RNDD), mpfr_get_d(&ends->right, MPFR_RNDU)};
 }
 
 }  // namespace gnomon::oracle

@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 
 #include "catch.h"
 #include "trials/trials.h"
@@ -53,7 +54,9 @@ void run(Renderer& renderer, const Series& series, bool talks) {
     std::map<std::string, Tally> by_kind;
     for (int64_t said = 0; all.decisions() < series.decisions; ++seed) {
         const auto [scene, kind] = series.make(seed);
-        const Tally tally = try_scene(renderer, scene, fmt::format("{}, seed {}", kind, seed));
+        const std::string name = fmt::format("{}, seed {}", kind, seed);
+        INFO(name);  // for what may be thrown
+        const Tally tally = try_scene(renderer, scene, name);
         all += tally;
         by_kind[kind] += tally;
         if (!talks || all.decisions() * 100 < series.decisions * (said + 1)) continue;
