@@ -22,9 +22,17 @@ void look_around(Scene& scene, Random& random, double size) {
     aim(scene, random, eye, in_cube(random, 0.3 * size), far < size ? size : size * random.scale(0.03, 1.2));
 }
 
+/// From beside it, near or far, through a telescope.
+void look_at_contact(Scene& scene, Random& random, const Sphere& a, const Sphere& b) {
+    const Vec3 way = normalize(b.center - a.center), contact = a.center + way * a.radius;
+    const Vec3 eye =
+        contact + (across(random, way) + way * random.uniform(-0.3, 0.3)) * (a.radius * random.scale(0.3, 300));
+    aim(scene, random, eye, contact, a.radius * zoom(random));
+}
+
 /// In each other with little between them, or nothing.
 Scene nests_of(Random& random) {
-    Scene scene = picture(random, 32, 64);
+    Scene scene = picture(random);
     const double radius = random.scale(0.3, 30), gap = little(random, 1, 16);
     const Vec3 toward = random.direction() * (chance(random, 0.5) ? 0 : random.uniform(0, 1.1));
     for (int i = whole(random, 2, 6); i > 0; --i)
@@ -37,7 +45,7 @@ Scene nests_of(Random& random) {
 
 /// Equal spheres that lie in each other but for a little.
 Scene twins(Random& random) {
-    Scene scene = picture(random, 32, 64);
+    Scene scene = picture(random);
     const double radius = random.scale(0.3, 30);
     for (int i = whole(random, 2, 4); i > 0; --i)
         scene.spheres.push_back({random.direction() * (radius * little(random, 1, 16)), radius});
@@ -47,7 +55,7 @@ Scene twins(Random& random) {
 
 /// Each touches the one before it, from outside or inside.
 Scene chains(Random& random) {
-    Scene scene = picture(random, 48, 96);
+    Scene scene = picture(random);
     Sphere last{{0, 0, 0}, random.scale(0.1, 1)};
     for (int i = whole(random, 3, 60); i > 0; --i) {
         scene.spheres.push_back(last);
@@ -57,12 +65,13 @@ Scene chains(Random& random) {
         if (length(last.center) > 3) last.center = last.center * 0.5;
     }
     look_around(scene, random, 3);
+    if (chance(random, 0.7)) look_at_contact(scene, random, scene.spheres[0], scene.spheres[1]);
     return scene;
 }
 
 /// On whole numbers, where equal distances abound: touching balls, and an eye, a sun and a lamp in places like theirs.
 Scene lattices(Random& random) {
-    Scene scene = picture(random, 40, 72);
+    Scene scene = picture(random);
     const auto somewhere = [&](int most) {
         const int x = whole(random, -most, most), y = whole(random, -most, most);
         return Vec3{1. * x, 1. * y, 1. * whole(random, -most, most)};
@@ -80,7 +89,7 @@ Scene lattices(Random& random) {
 
 /// Balls on a large ground in a low sun, from a child's height.
 Scene standing_balls(Random& random) {
-    Scene scene = picture(random, 48, 96);
+    Scene scene = picture(random);
     const double radius = random.scale(1e2, 1e7);
     const Vec3 center{0, -1 - radius, 0};
     scene.spheres = {{center, radius}};
@@ -92,12 +101,13 @@ Scene standing_balls(Random& random) {
     add_sun(scene, Vec3{0, random.scale(1e-3, 1), 0} + across(random, {0, 1, 0}));
     add_lamp(scene, {random.uniform(-5, 5), random.scale(1e-3, 5) - 1, random.uniform(2, 20)}, 10);
     scene.camera = look_at({0, 0, 0}, {0, random.uniform(-0.5, 0), 1}, random.scale(10, 90));
+    if (chance(random, 0.5)) look_at_contact(scene, random, scene.spheres[1], scene.spheres[0]);
     return scene;
 }
 
 /// A lamp or two at, or all but at, the surface of balls.
 Scene lamps_at_surfaces(Random& random) {
-    Scene scene = picture(random, 40, 80);
+    Scene scene = picture(random);
     for (int i = whole(random, 2, 20); i > 0; --i) scene.spheres.push_back({in_cube(random, 2), random.scale(0.1, 2)});
     for (int i = whole(random, 1, 3); i > 0; --i) {
         const Sphere s = scene.spheres[random.word() % scene.spheres.size()];
@@ -109,7 +119,7 @@ Scene lamps_at_surfaces(Random& random) {
 
 /// An eye at, or all but at, the surface of a ball of any size.
 Scene eyes_at_surfaces(Random& random) {
-    Scene scene = picture(random, 32, 64);
+    Scene scene = picture(random);
     const Sphere s{in_cube(random, 1), random.scale(0.1, chance(random, 0.3) ? 1e6 : 10)};
     const Vec3 n = random.direction(), eye = s.center + n * (s.radius * (1 + sign(random) * little(random, 1, 16)));
     scene.spheres = {s};

@@ -7,9 +7,6 @@ namespace gnomon::test {
 
 namespace {
 
-/// How much of a radius a picture shows: down to where float, and then double, cannot tell any more.
-double zoom(Random& random) { return std::pow(10, -random.uniform(0.5, chance(random, 0.15) ? 15 : 9)); }
-
 /// Around, but mostly not before, what is looked at.
 void add_bystanders(Scene& scene, Random& random, double size, int most) {
     const int count = whole(random, 0, most);
@@ -29,7 +26,7 @@ Vec3 limb(Random& random, const Vec3& eye, const Sphere& s) {
 }
 
 Scene limbs(Random& random) {
-    Scene scene = picture(random, 40, 96);
+    Scene scene = picture(random);
     const Sphere s{in_cube(random, 3), random.scale(0.1, 3)};
     scene.spheres = {s};
     add_bystanders(scene, random, 1, 20);
@@ -39,9 +36,24 @@ Scene limbs(Random& random) {
     return scene;
 }
 
+/// Hundreds of spheres along one way, which all but touches each of them.
+Scene gauntlets(Random& random) {
+    Scene scene = picture(random);
+    const Vec3 eye = in_cube(random, 3), dir = random.direction();
+    const double off = zoom(random), far = random.scale(1, 1e3);
+    for (int i = static_cast<int>(random.scale(3, 300)); i > 0; --i) {
+        const double ahead = random.scale(0.01, 1) * far, radius = ahead * random.scale(1e-3, 1);
+        const Vec3 foot = eye + dir * ahead;
+        scene.spheres.push_back({foot + across(random, dir) * (radius * (1 + random.uniform(-off, off))), radius});
+    }
+    add_lights(scene, random, far);
+    aim(scene, random, eye, eye + dir * far, far * off);
+    return scene;
+}
+
 /// The horizon of a large ground, on which balls stand near and far.
 Scene horizons(Random& random) {
-    Scene scene = picture(random, 40, 96);
+    Scene scene = picture(random);
     const double radius = random.scale(1e2, 1e8), height = random.scale(1e-2, 10);
     const Sphere ground{{0, -radius - height, 0}, radius};
     scene.spheres = {ground};
@@ -59,7 +71,7 @@ Scene horizons(Random& random) {
 
 /// Spheres whose surfaces all go through one point.
 Scene crossings(Random& random) {
-    Scene scene = picture(random, 40, 96);
+    Scene scene = picture(random);
     const Vec3 point = in_cube(random, 3), ahead = random.direction();
     for (int i = whole(random, 2, 5); i > 0; --i) {
         const double radius = random.scale(0.1, 30);
@@ -74,7 +86,7 @@ Scene crossings(Random& random) {
 
 /// A sun and a lamp in the plane that touches a sphere where the eye looks.
 Scene terminators_of(Random& random) {
-    Scene scene = picture(random, 40, 96);
+    Scene scene = picture(random);
     const Sphere s{in_cube(random, 3), random.scale(0.1, chance(random, 0.3) ? 1e6 : 10)};
     const Vec3 n = random.direction(), place = s.center + n * s.radius;
     scene.spheres = {s};
@@ -87,9 +99,9 @@ Scene terminators_of(Random& random) {
     return scene;
 }
 
-/// On some ground, where the shadows of two spheres end: one in the sun, one in a lamp's light.
+/// On some ground, where the shadows of spheres end: of some in the sun, of one in a lamp's light.
 Scene shadow_edges(Random& random) {
-    Scene scene = picture(random, 40, 96);
+    Scene scene = picture(random);
     const Sphere ground{in_cube(random, 3), random.scale(1, chance(random, 0.3) ? 1e7 : 30)};
     const Vec3 n = random.direction(), place = ground.center + n * ground.radius;
     scene.spheres = {ground};
@@ -99,7 +111,7 @@ Scene shadow_edges(Random& random) {
     };
     const Vec3 sun = facing(random, n), lamp = facing(random, n);
     const double far = random.scale(0.1, 30);
-    hide(sun, random.scale(0.01, 30));
+    for (auto i = static_cast<int>(random.scale(1, 100)); i > 0; --i) hide(sun, random.scale(0.01, 30));
     hide(lamp, chance(random, 0.3) ? far * (1 + sign(random) * little(random, 1, 12)) : far * random.uniform(0, 1));
     add_bystanders(scene, random, 0.1, 10);
     add_sun(scene, sun);
@@ -110,7 +122,7 @@ Scene shadow_edges(Random& random) {
 
 /// Unit spheres that fill the picture from very far.
 Scene specks(Random& random) {
-    Scene scene = picture(random, 40, 96);
+    Scene scene = picture(random);
     const double far = std::pow(10, random.uniform(3, 8));
     for (int i = whole(random, 5, 60); i > 0; --i) scene.spheres.push_back({in_cube(random, 8), random.scale(0.1, 2)});
     add_lights(scene, random, 8);
@@ -121,12 +133,10 @@ Scene specks(Random& random) {
 }  // namespace
 
 const std::vector<Maker>& edges() {
-    static const std::vector<Maker> all = {{"limbs", limbs},
-                                           {"horizons", horizons},
-                                           {"crossings", crossings},
-                                           {"terminators", terminators_of},
-                                           {"shadow edges", shadow_edges},
-                                           {"specks", specks}};
+    static const std::vector<Maker> all = {
+        {"limbs", limbs},         {"gauntlets", gauntlets},        {"horizons", horizons},
+        {"crossings", crossings}, {"terminators", terminators_of}, {"shadow edges", shadow_edges},
+        {"specks", specks}};
     return all;
 }
 

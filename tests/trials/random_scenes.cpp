@@ -45,7 +45,8 @@ Scene rounded(Scene scene) {
 
 /// An eye among the spheres or up to three times as far away as they reach.
 Scene make(Random& random) {
-    Scene scene = picture(random, 64, 128);
+    Scene scene;
+    scene.image = {whole(random, 64, 128), whole(random, 64, 128)};
     add_spheres(scene, random);
     add_lights(scene, random);
     const Vec3 eye = random.direction() * random.uniform(0, 3), at = in_cube(random, 0.5);

@@ -43,12 +43,16 @@ inline void add_lamp(Scene& scene, const Vec3& position, double size) {
     scene.lights.push_back(PointLight{position, channel(scene.lights.size(), 1e3 * size * size)});
 }
 
-/// An empty scene of some size in pixels.
-inline Scene picture(Random& random, int low, int high) {
+/// An empty scene. Many small pictures are harder than a few large ones: what rounds once a scene rounds in other ways.
+inline Scene picture(Random& random) {
     Scene scene;
-    scene.image = {whole(random, low, high), whole(random, low, high)};
+    const auto side = [&] { return static_cast<int>(random.scale(12, 96)); };
+    scene.image.width = side();
+    scene.image.height = side();
     return scene;
 }
+/// How much of a radius a picture shows: down to where float, and then double, cannot tell any more.
+inline double zoom(Random& random) { return std::pow(10, -random.uniform(0.5, chance(random, 0.15) ? 15 : 9)); }
 /// From an eye to a target of which the picture shows so much to either side.
 inline void aim(Scene& scene, Random& random, const Vec3& eye, const Vec3& target, double half_height) {
     scene.camera = look_at(eye, target, 2 * degrees_per_radian * std::atan(half_height / length(target - eye)));

@@ -35,9 +35,9 @@ std::string to_string(const oracle::Decisions& d) {
 
 }  // namespace
 
-std::string to_string(const Scene& scene, int i, int j, const oracle::Decisions& said, const oracle::Decisions& truth) {
-    return fmt::format("pixel ({}, {}): certified says: {}; the truth: {}\n{}", i, j, to_string(said), to_string(truth),
-                       to_json(scene).dump());
+std::string to_string(const Scene& scene, int i, int j, const Answer& a, const Answer& b) {
+    return fmt::format("pixel ({}, {}): {}: {}; {}: {}\n{}", i, j, a.whose, to_string(a.decisions), b.whose,
+                       to_string(b.decisions), to_json(scene).dump());
 }
 
 }  // namespace gnomon::test

@@ -73,10 +73,16 @@ class Trial {
 
     void confirm(const oracle::Decisions& quick, int i, int j) {
         ++tally.confirmed;
-        if (truth_.exact().decide(i, j) == quick) return;
+        const oracle::Decisions exact = truth_.exact().decide(i, j);
+        if (exact == quick) return;
         ++tally.contradictions;
-        fmt::print("THE ORACLE CONTRADICTS ITSELF in {}: {}\n", name_,
-                   to_string(scene_, i, j, quick, truth_.exact().decide(i, j)));
+        print("THE ORACLE CONTRADICTS ITSELF", i, j, {"quickly", quick}, {"exactly", exact});
+    }
+
+    void print(const char* what, int i, int j, const Answer& a, const Answer& b) {
+        if (most_-- <= 0) return;
+        fmt::print("{} in {}, {}\n", what, name_, to_string(scene_, i, j, a, b));
+        std::fflush(stdout);
     }
 
     /// What differs is wrong, unless it is just too dark for a float.
@@ -92,9 +98,7 @@ class Trial {
                     wrong += (said.facing[k] != truth.facing[k]) + (said.lit[k] != truth.lit[k]);
             }
         tally.wrong += wrong;
-        if (wrong == 0 || most_-- <= 0) return;
-        fmt::print("WRONG in {}: {}\n", name_, to_string(scene_, i, j, said, truth));
-        std::fflush(stdout);
+        if (wrong > 0) print("WRONG", i, j, {"certified says", said}, {"the truth", truth});
     }
 
     /// Whether light k is black where it arrives, or would without shadows, and is too little for a float there.

@@ -44,8 +44,12 @@ struct Tally {
 };
 std::string to_string(const Tally& tally);
 
-/// One wrong decision, with all that it takes to look at it again.
-std::string to_string(const Scene& scene, int i, int j, const oracle::Decisions& said, const oracle::Decisions& truth);
+/// Two answers that differ, who gives them, and the scene: all that it takes to look at the pixel again.
+struct Answer {
+    const char* whose;
+    const oracle::Decisions& decisions;
+};
+std::string to_string(const Scene& scene, int i, int j, const Answer& a, const Answer& b);
 
 /// Renders a scene in certified accuracy and asks the oracle about each pixel. Prints what is wrong, at most `most`
 /// pixels of it. Of the pixels that the oracle decides quickly every 4096th is decided exactly too.
