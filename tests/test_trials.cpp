@@ -81,7 +81,7 @@ void run(const Series& series, bool talks) {
 }  // namespace
 
 TEST_CASE("trials: certified decides right in random scenes", "[certified][sample]") {
-    run({"random", 1'000'000, make_random}, false);
+    run({"random", 500'000, make_random}, false);
 }
 TEST_CASE("trials: certified decides right in hard scenes", "[certified][sample]") {
     run({"adversarial", 200'000, make_adversary}, false);
