@@ -86,6 +86,14 @@ TEST_CASE("trials: certified decides right in random scenes", "[certified][sampl
 TEST_CASE("trials: certified decides right in hard scenes", "[certified][sample]") {
     run({"adversarial", 200'000, make_adversary}, false);
 }
+TEST_CASE("trials: strict decides wrong in some hard scenes, and trials see that", "[certified][sample]") {
+    Renderer renderer(choose_device(list_devices(), ""));
+    Tally all;
+    for (uint64_t seed = 1; seed <= 15; ++seed)
+        all += try_scene(renderer, make_adversary(seed).first, "", Accuracy::strict, 0);
+    CHECK(all.wrong > 0);
+    CHECK(all.contradictions == 0);
+}
 TEST_CASE("trials: certified decides right in random scenes, at length", "[.trials]") {
     run({"random", setting("GNOMON_TRIALS_RANDOM", 100'000'000), make_random}, true);
 }

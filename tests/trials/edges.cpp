@@ -25,6 +25,8 @@ Vec3 limb(Random& random, const Vec3& eye, const Sphere& s) {
     return eye + (normalize(f) * std::sqrt(1 - sine * sine) + across(random, f) * sine) * along;
 }
 
+}  // namespace
+
 Scene limbs(Random& random) {
     Scene scene = picture(random);
     const Sphere s{in_cube(random, 3), random.scale(0.1, 3)};
@@ -85,7 +87,7 @@ Scene crossings(Random& random) {
 }
 
 /// A sun and a lamp in the plane that touches a sphere where the eye looks.
-Scene terminators_of(Random& random) {
+Scene day_and_night(Random& random) {
     Scene scene = picture(random);
     const Sphere s{in_cube(random, 3), random.scale(0.1, chance(random, 0.3) ? 1e6 : 10)};
     const Vec3 n = random.direction(), place = s.center + n * s.radius;
@@ -128,16 +130,6 @@ Scene specks(Random& random) {
     add_lights(scene, random, 8);
     aim(scene, random, random.direction() * far, in_cube(random, 2), random.scale(0.3, 8));
     return scene;
-}
-
-}  // namespace
-
-const std::vector<Maker>& edges() {
-    static const std::vector<Maker> all = {
-        {"limbs", limbs},         {"gauntlets", gauntlets},        {"horizons", horizons},
-        {"crossings", crossings}, {"terminators", terminators_of}, {"shadow edges", shadow_edges},
-        {"specks", specks}};
-    return all;
 }
 
 }  // namespace gnomon::test

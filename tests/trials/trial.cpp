@@ -13,14 +13,14 @@ namespace {
 
 constexpr int64_t confirm_every = 4096;
 
-/// Certified pictures of one scene, with and without shadows.
+/// Pictures of one scene, with and without shadows.
 struct Pictures {
     Film shadowed, facing;
     RenderStats stats;
 
-    Pictures(Renderer& renderer, const Scene& scene) {
+    Pictures(Renderer& renderer, const Scene& scene, Accuracy accuracy) {
         RenderOptions options;
-        options.accuracy = Accuracy::certified;
+        options.accuracy = accuracy;
         options.outputs = {true, false, false, true};
         stats = renderer.render(scene, options, shadowed);
         options.shadows = false;
@@ -98,7 +98,7 @@ class Trial {
                     wrong += (said.facing[k] != truth.facing[k]) + (said.lit[k] != truth.lit[k]);
             }
         tally.wrong += wrong;
-        if (wrong > 0) print("WRONG", i, j, {"certified says", said}, {"the truth", truth});
+        if (wrong > 0) print("WRONG", i, j, {"the picture says", said}, {"the truth", truth});
     }
 
     /// Whether light k is black where it arrives, or would without shadows, and is too little for a float there.
@@ -118,9 +118,9 @@ class Trial {
 
 }  // namespace
 
-Tally try_scene(Renderer& renderer, const Scene& scene, const std::string& name, int64_t most) {
+Tally try_scene(Renderer& renderer, const Scene& scene, const std::string& name, Accuracy accuracy, int64_t most) {
     const double start = now();
-    const Pictures pictures(renderer, scene);
+    const Pictures pictures(renderer, scene, accuracy);
     const double rendered = now();
     Trial trial(scene, name, most);
     trial.compare(pictures);
