@@ -56,23 +56,55 @@ Interval pi();
 /// The nearest double; Undecided when it is not known to 2^-58 of its value (or, for the second, of `scale`).
 double nearest(const Interval& x);
 double nearest(const Interval& x, const Interval& scale);
+/// No less than the number, but for a rounding.
+inline double double_above(const Interval& x) { return nearest(x); }
 
+template <class Real>
 struct Vector {
-    Interval x, y, z;
+    Real x, y, z;
 
-    Vector(Interval a, Interval b, Interval c) : x(std::move(a)), y(std::move(b)), z(std::move(c)) {}
+    Vector(Real a, Real b, Real c) : x(std::move(a)), y(std::move(b)), z(std::move(c)) {}
     explicit Vector(const Vec3& v) : x(v.x), y(v.y), z(v.z) {}
 };
 
-inline Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Vector operator*(const Vector& a, const Interval& s) { return {a.x * s, a.y * s, a.z * s}; }
-inline Interval dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Vector cross(const Vector& a, const Vector& b) {
+template <class Real>
+Vector<Real> operator+(const Vector<Real>& a, const Vector<Real>& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class Real>
+Vector<Real> operator-(const Vector<Real>& a, const Vector<Real>& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class Real>
+Vector<Real> operator*(const Vector<Real>& a, const Real& s) {
+    return {a.x * s, a.y * s, a.z * s};
+}
+template <class Real>
+Real dot(const Vector<Real>& a, const Vector<Real>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class Real>
+Vector<Real> cross(const Vector<Real>& a, const Vector<Real>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-inline Vector unit(const Vector& v) { return v * (1 / root(dot(v, v))); }
+template <class Real>
+Vector<Real> unit(const Vector<Real>& v) {
+    return v * Real(1. / root(dot(v, v)));
+}
 /// Of a vector no longer than about 1: components to 2^-58.
-inline Vec3 nearest(const Vector& v) { return {nearest(v.x, 1), nearest(v.y, 1), nearest(v.z, 1)}; }
+inline Vec3 nearest(const Vector<Interval>& v) { return {nearest(v.x, 1), nearest(v.y, 1), nearest(v.z, 1)}; }
+
+/// Doubles for a vector no longer than about `scale`, and by how much more than their roundings they may be off.
+struct Known {
+    Vec3 value;
+    double off;
+};
+Known known(const Vector<Interval>& v, const Interval& scale);
+
+/// The narrowest that is known of a number of which there are two enclosures: here the first is as good as any.
+template <class Other>
+const Interval& narrower(const Interval& x, Other) {
+    return x;
+}
 
 }  // namespace gnomon::oracle

@@ -41,6 +41,21 @@ struct Pixel {
     Rgb radiance;                ///< their sum
 };
 
+/// A pixel's decisions alone.
+struct Decisions {
+    int64_t id = -1;                ///< -1 for a miss
+    std::vector<bool> facing, lit;  ///< one a light: n . l > 0; whether, in addition, nothing is in between
+};
+inline bool operator==(const Decisions& a, const Decisions& b) {
+    return a.id == b.id && a.facing == b.facing && a.lit == b.lit;
+}
+
+/// A sphere, or all of them that coincide, by the lowest id.
+struct Kept {
+    int64_t id;
+    Sphere sphere;
+};
+
 /// How a ray's line lies to a sphere: the sign of the discriminant, and of the power |origin - centre|^2 - r^2.
 struct Position {
     int discriminant;  ///< -1 passes it, 0 touches it, 1 meets it twice
@@ -60,13 +75,13 @@ class Oracle {
     Pixel look(int i, int j) const;
     /// What is seen along any ray.
     Pixel look(const Ray& ray) const;
+    /// The decisions alone.
+    Decisions decide(int i, int j) const;
+
+    const std::vector<Kept>& spheres() const { return spheres_; }
 
   private:
-    struct Kept {
-        int64_t id;
-        Sphere sphere;
-    };
-    struct Look;
+    class Numbers;
 
     const Scene& scene_;
     std::vector<Kept> spheres_;  // one of those that coincide, by id

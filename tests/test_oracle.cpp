@@ -183,6 +183,14 @@ TEST_CASE("oracle: ordinary scenes are as the reference sees them", "[oracle]") 
     }
 }
 
+TEST_CASE("oracle: an eye at whole numbers of nineteen digits", "[oracle]") {
+    Scene scene = looking_ahead(1, 1);
+    scene.camera.eye = {0, 0, 2529175010755087872};
+    scene.camera.at = {0, 0, 2e19};
+    scene.spheres = {{{0, 0, 2e19}, 1e18}};
+    CHECK(Oracle(scene).look(0, 0).hit.id == 0);
+}
+
 TEST_CASE("oracle: ten thousand spheres", "[oracle]") {
     const Scene scene = scattered(10000, 24, 20);
     const Oracle oracle(scene);
