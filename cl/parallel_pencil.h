@@ -47,51 +47,40 @@ static inline wholew occludes(PencilSphere s, ShadowRay ray) {
 typedef struct {
     real shift;
 } RayDoubt;
-typedef Doubt Edge;
 
-// `position` is the most that one is off. Its coordinates in the basis: the basis is turned by up to 2 u, three dot
-// products of 3 u; together with the sphere's, 12 u |c| in doubt_of, 12 u |p|.
-static inline RayDoubt ray_doubt(LightPencil light, real position, real farthest, real shortest, real longest,
+// `position` is the most that one is off, with what it takes to bring it into the basis (intersect_closest): this is
+// turned by up to 2 u, and three dot products round by 3 u; together with the sphere's, 12 u |c| in edge_of, 12 u |p|.
+static inline RayDoubt ray_doubt(LightPencil light, real position, const ShadowRay* ray, const wholew* open,
                                  real base) {
-    return (RayDoubt){fma(12 * ROUNDING, farthest, position) + base};
+    return (RayDoubt){position + base};
 }
 
-// Nothing here depends on how far the light is.
-static inline realw way_of(ShadowRay ray) { return wide(INFINITY); }
+// What settles how a sphere and a ray meet.
+typedef struct {
+    real met, ahead;  // of D, and of what says that it is ahead
+} Edge;
 
-// A sphere's edge: D is off by no more, wherever it is near 0 or above.
 static inline Edge edge_of(PencilSphere s, RayDoubt doubt, real base) {
-    const real distance = fabs(s.center.x) + fabs(s.center.y) + fabs(s.center.z);
-    const real shift = 12 * ROUNDING * distance + doubt.shift + base;
-    return (Edge){shift, (2 * sqrt(s.r2) + 3 * shift) * shift + 12 * ROUNDING * s.r2, 0};
+    const real shift = fma(12 * ROUNDING, distance_of(s), doubt.shift) + base;
+    const real met = fma(fma((real)3, shift, 2 * sqrt(s.r2)), shift, 12 * ROUNDING * s.r2);
+    return (Edge){met, 3 * met};
 }
 
-// Where the sphere is not surely passed.
-static inline wholew is_near(PencilSphere s, ShadowRay ray, Edge edge) {
-    const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
-    return !(fma(-x, x, fma(-y, y, wide(s.r2))) < -edge.discriminant);
-}
-
-// Where it surely occludes the ray, and where it surely does not.
-static inline void judge_occlusion(PencilSphere s, ShadowRay ray, RayDoubt doubt, Edge edge, wholew* closes,
-                                   wholew* clear) {
+// Where the sphere surely occludes the ray, and where it surely does not: D >= 0 says that its line meets it, and D +
+// ahead |ahead| >= 0 that the farther root is ahead.
+static inline void judge_occlusion(PencilSphere s, ShadowRay ray, Edge edge, wholew* closes, wholew* clear) {
     const realw ahead = wide(s.center.z) - ray.from.z;
     const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
     const realw discriminant = fma(-x, x, fma(-y, y, wide(s.r2)));
-    // The receiver's power: next to the surface |ahead| <= r, and it is off by as much again.
-    const realw power = fma(ahead, ahead, -discriminant);
-    const real e = edge.discriminant;
-    *closes = (discriminant > e) & ((ahead > edge.shift) | (power < -2 * e));
-    *clear = (discriminant < -e) | ((ahead < -edge.shift) & (power > 2 * e));
+    const realw farther = fma(ahead, fabs(ahead), discriminant);
+    *closes = (discriminant > edge.met) & (farther > edge.ahead);
+    *clear = (discriminant < -edge.met) | (farther < -edge.ahead);
 }
 
-// Where the surface surely faces the light, or surely does not: n . l is off by the normal's doubt, l's turn and the
-// dot product's 3 u.
-static inline void judge_facing(LightPencil light, vec3w position, vec3w normal, realw t, realw off, realw turned,
-                                real base, wholew* faces, wholew* averted) {
-    const realw cosine = dot_r(light.axis, normal), edge = turned + 8 * ROUNDING;
-    *faces = cosine > edge;
-    *averted = cosine < -edge;
+// Where it is open whether the surface faces the light: n . l is off by the normal's doubt, l's turn and the dot
+// product's 3 u.
+static inline wholew may_face(LightPencil light, vec3w position, vec3w normal, real off, real turned, real base) {
+    return !(fabs(dot_r(light.axis, normal)) > wide(turned + 8 * ROUNDING));
 }
 
 #endif

@@ -53,10 +53,9 @@ static inline wholew occludes(PencilSphere s, ShadowRay ray) {
 
 // How far the shadow rays of a work-item may be off, as this pencil has them.
 typedef struct {
-    real turn;      // radians
-    real length;    // of the way between light and receiver
-    real farthest;  // the longest of these ways
-    real light;     // of the light itself, from the eye
+    real turn;    // radians
+    real length;  // of the way between light and receiver
+    real light;   // of the light itself, from the eye
 } RayDoubt;
 
 static inline real from_eye(LightPencil light) {
@@ -64,61 +63,56 @@ static inline real from_eye(LightPencil light) {
         fma(light.origin.x, light.origin.x, fma(light.origin.y, light.origin.y, light.origin.z * light.origin.z)));
 }
 
-// `position` is the most that one of the receivers is off. The light's place is rounded, 1 u |o|; the way between both
+// `position` is the most that one of the receivers is off. The light's place is rounded, u |o|; the way between both
 // rounds once; its length 4 u more, and its direction 5 u.
-static inline RayDoubt ray_doubt(LightPencil light, real position, real farthest, real shortest, real longest,
+static inline RayDoubt ray_doubt(LightPencil light, real position, const ShadowRay* ray, const wholew* open,
                                  real base) {
-    const real off = fma(2 * ROUNDING, from_eye(light), base),
-               way = fma(4 * ROUNDING, farthest + from_eye(light), position) + off;
-    const real turn = way < 0.5f * shortest ? fma((real)2.0f, way / shortest, 5 * ROUNDING) : INFINITY;
-    return (RayDoubt){turn, way, longest, off};
+    floatw nearest = wide_float(INFINITY);
+    FOR_PACKETS(k) nearest = LESS(ints_of(open[k]) ? floats_of(ray[k].distance) : nearest, nearest);
+    const float shortest = REDUCE(least, nearest) * (1 - 0x1p-20f);  // doubles became floats
+    const real off = fma(2 * ROUNDING, from_eye(light), base), way = position + fma(4 * ROUNDING, from_eye(light), off);
+    return (RayDoubt){way < 0.5f * shortest ? 2 * way / shortest + 5 * ROUNDING : INFINITY, way, off};
 }
 
-static inline realw way_of(ShadowRay ray) { return ray.distance; }
+// What settles how a sphere and a ray meet.
+typedef struct {
+    real met, before;  // of D, and of what says that it is before the receiver
+    real ahead;        // of b
+    int outside, inside;
+} Edge;
 
-typedef Doubt Edge;
+// `shift` is of where along the ray the foot of the centre is, and the receiver.
 static inline Edge edge_of(PencilSphere s, RayDoubt doubt, real base) {
-    return doubt_of(s, doubt.turn, base + doubt.light);
+    const Doubt of = doubt_of(s, doubt.turn, base + doubt.light);
+    const real power_off = power_doubt(s, of, base + doubt.light), shift = fma((real)2, doubt.length, of.shift);
+    const real before = 3 * fma(3 * of.radius + 3 * shift, shift, 12 * ROUNDING * s.r2);
+    return (Edge){of.discriminant, before, of.shift, surely_outside(s, power_off), surely_inside(s, power_off)};
 }
 
-// Where the sphere is not surely passed.
-static inline wholew is_near(PencilSphere s, ShadowRay ray, Edge edge) {
-    return !(sphere_discriminant(s, ray.dir, dot_r(s.center, ray.dir)) < -edge.discriminant);
-}
-
-// Where it surely occludes the ray, and where it surely does not.
-static inline void judge_occlusion(PencilSphere s, ShadowRay ray, RayDoubt doubt, Edge d, wholew* closes,
-                                   wholew* clear) {
-    const real edge = d.discriminant, farther = fma((real)2.0f, doubt.length, d.shift), radius = sqrt(s.r2);
-    const int outside = s.power > d.power, inside = s.power < -d.power;
-    const realw b = dot_r(s.center, ray.dir), beyond = b - ray.distance;
+// Where the sphere surely occludes the ray, and where it surely does not. From outside D >= 0 says that its line meets
+// it, and D + before |before| >= 0 that the nearer root comes before the receiver; from inside it is met where the
+// receiver is not in the ball.
+static inline void judge_occlusion(PencilSphere s, ShadowRay ray, Edge edge, wholew* closes, wholew* clear) {
+    const realw b = dot_r(s.center, ray.dir), before = ray.distance - b;
     const realw discriminant = sphere_discriminant(s, ray.dir, b);
-    // The receiver's power. beyond^2 - D, and next to the surface |beyond| <= r; for spheres that look large C - d (2 b
-    // - d), which is off by what the receiver is, times the diameter, and by roundings: b's 9 u |f| (root_doubt), twice
-    // d times, and 4 u of the terms.
-    realw power = fma(beyond, beyond, -discriminant);
-    real power_edge = fma(fma(radius, (real)2.0f, 3 * farther), farther, 2 * edge);
-    if (!looks_small(s)) {
-        const real away = sqrt(MORE(s.power + s.r2, 0.0f)), d_most = doubt.farthest;
-        power = fma(-ray.distance, b + beyond, wide(s.power));
-        power_edge = fma(2 * radius + 3 * doubt.length, doubt.length, d.power) +
-                     ROUNDING * fma(d_most, fma((real)26.0f, away, 4 * d_most), 4 * fabs(s.power));
+    if (edge.outside) {
+        const realw nearer = fma(before, fabs(before), discriminant);
+        *closes = (discriminant > edge.met) & (b > edge.ahead) & (nearer > edge.before);
+        *clear = (discriminant < -edge.met) | (b < -edge.ahead) | (nearer < -edge.before);
+        return;
     }
-    const wholew passes = discriminant < -edge, in = power<-power_edge, out = power> power_edge;
-    const wholew foot = (discriminant > edge) & (b > d.shift) & (beyond < -farther);
-    const wholew none = 0;
-    *closes = outside ? in | foot : inside ? out : none;
-    *clear = outside ? passes | (b < -d.shift) | ((beyond > farther) & out) : inside ? in : passes;
+    const realw power = fma(before, before, -discriminant);
+    *closes = edge.inside ? power > edge.before : (wholew)(0);
+    *clear = edge.inside ? power < -edge.before : discriminant < -edge.met;
 }
 
-static inline void judge_facing(LightPencil light, vec3w position, vec3w normal, realw t, realw off, realw turned,
-                                real base, wholew* faces, wholew* averted) {
+// Where it is open whether the surface faces the light: (o - p) . n is off by the normal's doubt and 8 u, times the way,
+// and by the way's.
+static inline wholew may_face(LightPencil light, vec3w position, vec3w normal, real off, real turned, real base) {
     const vec3w way = from_light(light, position);
-    const realw distance = sqrt(dot_w(way, way)), place = wide(fma(4 * ROUNDING, from_eye(light), base));
-    const realw edge = fma(distance, turned + 8 * ROUNDING, fma(t, wide(4 * ROUNDING), off) + place);
-    const realw facing = -dot_w(way, normal);
-    *faces = facing > edge;
-    *averted = facing < -edge;
+    const real place = fma(4 * ROUNDING, from_eye(light), base) + off;
+    const realw edge = fma(square_root(dot_w(way, way)), wide(turned + 8 * ROUNDING), wide(place));
+    return !(fabs(dot_w(way, normal)) > edge);
 }
 
 #endif
