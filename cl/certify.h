@@ -18,7 +18,7 @@
 #define ROUNDING 0x1p-53
 #define POWER_ROUNDING 0x1p-50
 #define EYE_TURN (32 * ROUNDING)
-#define STEEPEST 0x1p20
+#define STEEPEST 0x1p12
 #else
 #define ROUNDING 0x1p-24f
 #define POWER_ROUNDING 0x1p-42f
@@ -55,33 +55,22 @@ static inline int surely_outside(PencilSphere s, real power_off) { return s.powe
 static inline int surely_inside(PencilSphere s, real power_off) { return -s.power > 2 * power_off; }
 
 // What may be said of a sphere's roots. With x = r / sqrt(D), 1 / the cosine between ray and normal, t is off by no
-// more than (fixed + steep x) t.
+// more than (FIXED + steep x) t, and FIXED <= steep.
 typedef struct {
-    real fixed, steep, radius, r2;
+    real steep;
     real plain;  // where D is above, the ray surely meets the sphere, and t is known so
+    real most;   // the largest share of t by which it is then off
     real back;   // elsewhere it is not met before the foot of the centre less this
 } RootDoubt;
 
 // `off` is the power's doubt.
 static inline RootDoubt root_doubt(PencilSphere s, Doubt doubt, real off) {
-    const real share = 5 * off / fabs(s.power);
-    const real fixed = 56 * ROUNDING + share, steep = (looks_small(s) ? 58 : 120) * ROUNDING + share;
+    const int outside = surely_outside(s, off);
+    const real steep = (looks_small(s) ? 58 : 120) * ROUNDING + 5 * off / fabs(s.power);
     const real least = MORE((real)(1 / STEEPEST), steep * (2 / MOST_OFF));
-    const real plain = MORE(least * least * s.r2, 4 * doubt.discriminant);
-    const int bounded = surely_outside(s, off) && plain < INFINITY;
-    return (RootDoubt){fixed, steep, doubt.radius, s.r2, plain, bounded ? 1.5f * sqrt(plain) : INFINITY};
-}
-
-// The share of t by which it may be off where D > plain. Floats tell three kinds of meetings apart, for a root and a
-// quotient cost more than all the rest.
-static inline realw root_share(RootDoubt doubt, realw discriminant) {
-#if REAL_IS_DOUBLE
-    return fma(wide(doubt.steep * doubt.radius), 1 / sqrt(discriminant), wide(doubt.fixed));
-#else
-    const realw grazing = discriminant > doubt.r2 * 0x1p-6f ? wide(fma(8.0f, doubt.steep, doubt.fixed))
-                                                            : wide(fma(STEEPEST, doubt.steep, doubt.fixed));
-    return discriminant > doubt.r2 * 0x1p-2f ? wide(fma(2.0f, doubt.steep, doubt.fixed)) : grazing;
-#endif
+    const real farthest = outside ? doubt.distance : doubt.distance + doubt.radius;
+    const real plain = least <= 1 ? MORE(least * least * s.r2, 20 * steep * farthest * doubt.radius) : INFINITY;
+    return (RootDoubt){steep, plain, 2 * steep / least, outside && plain < INFINITY ? 1.5f * sqrt(plain) : INFINITY};
 }
 
 // The undecided rays of a picture: a bit each, 32 rays a word, those of a tile from first_word on.

@@ -25,10 +25,10 @@ typedef struct {
     vec3w center;
 } Hit;
 
-// What is sure of it.
+// What is sure of the closest hits.
 typedef struct {
-    realw least;  // t is no less
-    realw other;  // whatever else the ray may meet begins no nearer
+    realw other[PACKETS];  // whatever else the rays may meet begins no nearer
+    real steep, most;      // of all spheres that they met: certify.h
 } Bounds;
 
 static inline Hit no_hit(void) {
@@ -56,8 +56,7 @@ static inline int next_candidates(Hierarchy hierarchy, Traversal* traversal, Fat
 
 #if CERTIFIED
 
-// As below, but only what bounds settle is a hit; of all else is kept where it may begin. `most_off` becomes the largest
-// share by which the roots of spheres that were met may be off.
+// As below, but only what bounds settle is a hit; of all else is kept where it may begin.
 static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Bounds* bounds) {
     const Doubt doubt = doubt_of(s, EYE_TURN, base);
     const real power_off = power_doubt(s, doubt, base);
@@ -72,13 +71,17 @@ static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hi
     }
     if (!any_lane(any)) return 0;
     const RootDoubt off = root_doubt(s, doubt, power_off);
+    if (off.plain < INFINITY) {  // or it is nobody's hit
+        bounds->steep = MORE(bounds->steep, off.steep);
+        bounds->most = MORE(bounds->most, off.most);
+    }
+    const real kept = 1 - bounds->most;
     FOR_PACKETS(k) {
         const realw t = sphere_root(s, b[k], discriminant[k]);
         const wholew plain = near[k] & (discriminant[k] > off.plain), closer = plain & (t < hit[k].t);
-        const realw least = plain ? fma(-t, root_share(off, discriminant[k]), t) : b[k] - off.back;
-        const realw other = closer ? bounds[k].least : near[k] ? least : wide(INFINITY);
-        bounds[k].other = LESS(bounds[k].other, other);
-        bounds[k].least = closer ? least : bounds[k].least;
+        const realw loser = kept * (closer ? hit[k].t : plain ? t : wide(INFINITY));
+        const realw other = near[k] & !plain ? b[k] - off.back : loser;
+        bounds->other[k] = LESS(bounds->other[k], other);
         hit[k].t = closer ? t : hit[k].t;
         hit[k].id = closer ? (wholew)(s.id) : hit[k].id;
         hit[k].center = select_w(closer, broadcast(s.center), hit[k].center);
@@ -137,32 +140,15 @@ static inline vec3w outward_normal(Hit hit, vec3w dir, realw* inverse) {
 }
 
 #if CERTIFIED
-// How far the hits of a work-item may be off.
-typedef struct {
-    floatw position, normal;  // the normal's, but for what `store_doubt` adds
-    ulong undecided;          // a bit for each of its rays
-} HitDoubt;
-
-// Adds the hits of packet k, or leaves them undecided. The position is off by t's doubt along the ray and, the ray's
-// turn and two roundings, 8 u t across it; 12 u t more is what a light's pencil rounds (parallel_pencil.h). The normal
-// is off by that, the centre's rounding, u |f| <= u (t + r), and out's own, over the radius, which is |out| but for as
-// much.
-static inline void add_doubt(Hit hit, Bounds bounds, wholew valid, realw inverse, real base, int k, HitDoubt* doubt) {
+// How far the position of a hit may be off; infinitely where its ray is undecided. By t's doubt along the ray and, the
+// ray's turn and two roundings, by 8 u t across it; 12 u t more is what a light's pencil rounds (parallel_pencil.h).
+static inline realw position_doubt(Hit hit, const Bounds* bounds, int k, vec3w dir, vec3w normal, real base) {
     const wholew hits = hit.id >= 0;
-    const realw off = hit.t - bounds.least, none = wide(0.0f);
-    const wholew sure = hits ? bounds.other > hit.t + off : bounds.other == INFINITY;
-    const realw position = fma(wide(20 * ROUNDING), hit.t, off + base);
-    doubt->position = MORE(doubt->position, floats_of(hits & sure ? position : none));
-    doubt->normal = MORE(doubt->normal, floats_of(hits & sure ? position * inverse : none));
-    doubt->undecided |= bits_of_packet(valid & !sure, k);
-}
-
-// Twice the quotient serves while it is below 1/2; beyond, nothing is known.
-static inline void store_doubt(HitDoubt doubt, global real* doubts, int item) {
-    const float more = 1 + 0x1p-20f;  // doubles became floats
-    const float normal = REDUCE(most, doubt.normal) * more;
-    doubts[2 * item] = REDUCE(most, doubt.position) * more;
-    doubts[2 * item + 1] = normal < 0.5f ? fma((real)2, (real)normal, 12 * ROUNDING) : INFINITY;
+    const realw cosine = fabs(dot_w(dir, normal));
+    const realw off = hit.t * fma(wide(1.25f * bounds->steep), divide(wide(1.0f), cosine), wide(bounds->steep));
+    const wholew sure = hits ? bounds->other[k] > hit.t + off : bounds->other[k] == INFINITY;
+    const realw position = hits ? fma(wide(20 * ROUNDING), hit.t, off + base) : wide(0.0f);
+    return sure ? position : wide(INFINITY);
 }
 #endif
 
@@ -171,13 +157,14 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
                               const int levels, const int last, const int first_chunk, const int items,
                               global real* restrict ts, global real* restrict normals, global int* restrict ids,
                               const int first_group, global int* restrict hit_counts, const real base,
-                              global real* restrict doubts, global uint* restrict undecided, const int first_word) {
+                              global real* restrict doubts, global float* restrict curvatures, global uint* restrict undecided, const int first_word) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
     const Hierarchy hierarchy = {clusters, nodes, levels, last};
     vec3w dir[PACKETS];
     Hit hit[PACKETS];
-    Bounds bounds[PACKETS];
+    Bounds bounds;
+    bounds.steep = bounds.most = 0;
     wholew valid[PACKETS];
 #if RAYS == RAYS_GENERATED
     // Most work-items that meet nothing are known before their rays are.
@@ -198,7 +185,7 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
 #endif
         valid[k] = dir[k].x == dir[k].x;  // pixels outside the image are NaN
         hit[k] = no_hit();
-        bounds[k] = (Bounds){wide(INFINITY), wide(INFINITY)};
+        bounds.other[k] = wide(INFINITY);
     }
 #if CHUNKS
     if (!first_chunk) FOR_PACKETS(k) {
@@ -216,7 +203,7 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
 #endif
     for (; c >= 0; c = next_candidates(hierarchy, &traversal, fat, &rest)) {
         int closer = 0;
-        for (; rest; rest &= rest - 1) closer |= intersect(sphere_of(clusters + c, lowest_bit(rest)), dir, base, hit, bounds);
+        for (; rest; rest &= rest - 1) closer |= intersect(sphere_of(clusters + c, lowest_bit(rest)), dir, base, hit, &bounds);
 #if WALK == WALK_NODES
         if (!closer) continue;
         traversal.farthest = farthest_hit(hit, valid);
@@ -225,14 +212,18 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
     }
     wholew hits = 0;
 #if CERTIFIED
-    HitDoubt doubt = {wide_float(0.0f), wide_float(0.0f), 0};
+    ulong open = 0;
+    floatw curved = wide_float(0.0f);
 #endif
     FOR_PACKETS(k) {
         store_r(hit[k].t, ts, item, k);
         realw inverse;
         vec3w normal = outward_normal(hit[k], dir[k], &inverse);
 #if CERTIFIED
-        add_doubt(hit[k], bounds[k], valid[k], inverse, base, k, &doubt);
+        const realw off = position_doubt(hit[k], &bounds, k, dir[k], normal, base);
+        store_r(off, doubts, item, k);
+        open |= bits_of_packet(valid[k] & (off == INFINITY), k);
+        curved = MORE(curved, floats_of(hit[k].id >= 0 ? inverse : wide(0.0f)));
 #endif
         hits += hit[k].id >= 0 ? (wholew)(1) : (wholew)(0);
 #if CHUNKS
@@ -246,8 +237,8 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
         store_i(hit[k].id, ids, item, k);
     }
 #if CERTIFIED
-    store_doubt(doubt, doubts, item);
-    leave_undecided(doubt.undecided, (Undecided){undecided, first_word}, item);
+    curvatures[item] = REDUCE(most, curved) * (1 + 0x1p-20f);
+    leave_undecided(open, (Undecided){undecided, first_word}, item);
 #endif
     atomic_add(hit_counts + first_group + get_group_id(0), REDUCE(count, ints_of(hits)));
 }

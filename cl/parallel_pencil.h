@@ -14,11 +14,17 @@ typedef ParallelPencil LightPencil;
 typedef struct {
     vec3w from;     // the receiver in the basis
     realw squared;  // its squared distance from the eye
+#if CERTIFIED
+    realw off;  // how far the receiver may be off
+#endif
 } ShadowRay;
 
 static inline ShadowRay shadow_ray(LightPencil light, vec3w position) {
     const vec3w from = {dot_r(light.u, position), dot_r(light.v, position), dot_r(light.axis, position)};
-    return (ShadowRay){from, dot_w(from, from)};
+    ShadowRay ray;
+    ray.from = from;
+    ray.squared = dot_w(from, from);
+    return ray;
 }
 
 // n . l, the share of the light's irradiance that arrives: > 0 where the surface faces the light.
@@ -43,44 +49,52 @@ static inline wholew occludes(PencilSphere s, ShadowRay ray) {
 
 #if CERTIFIED
 
-// How far the receivers of a work-item may be off, as this pencil has them.
+// How far the receivers of a work-item may be off at most.
 typedef struct {
     real shift;
 } RayDoubt;
 
-// `position` is the most that one is off, with what it takes to bring it into the basis (intersect_closest): this is
+// `position` is how far the receiver is off, with what it takes to bring it into the basis (intersect_closest): this is
 // turned by up to 2 u, and three dot products round by 3 u; together with the sphere's, 12 u |c| in edge_of, 12 u |p|.
-static inline RayDoubt ray_doubt(LightPencil light, real position, const ShadowRay* ray, const wholew* open,
-                                 real base) {
-    return (RayDoubt){position + base};
+static inline realw ray_off(LightPencil light, ShadowRay ray, realw position, real base) { return position + base; }
+
+static inline real most_off(const ShadowRay* ray, const wholew* open) {
+    floatw most = wide_float(0.0f);
+    FOR_PACKETS(k) most = MORE(most, ints_of(open[k]) ? floats_of(ray[k].off) : wide_float(0.0f));
+    return REDUCE(most, most) * (1 + 0x1p-20f);  // doubles became floats
 }
 
-// What settles how a sphere and a ray meet.
+static inline RayDoubt ray_doubt(LightPencil light, const ShadowRay* ray, const wholew* open, real base) {
+    return (RayDoubt){most_off(ray, open)};
+}
+
+// Of a ray that is off by `off`, D is off by no more than `fixed` and `slope` times that.
 typedef struct {
-    real met, ahead;  // of D, and of what says that it is ahead
+    real fixed, slope;
 } Edge;
 
 static inline Edge edge_of(PencilSphere s, RayDoubt doubt, real base) {
-    const real shift = fma(12 * ROUNDING, distance_of(s), doubt.shift) + base;
-    const real met = fma(fma((real)3, shift, 2 * sqrt(s.r2)), shift, 12 * ROUNDING * s.r2);
-    return (Edge){met, 3 * met};
+    const real own = fma(12 * ROUNDING, distance_of(s), base);
+    const real slope = fma((real)3, doubt.shift + own, 2 * sqrt(s.r2));
+    return (Edge){fma(slope, own, 12 * ROUNDING * s.r2), slope};
 }
 
 // Where the sphere surely occludes the ray, and where it surely does not: D >= 0 says that its line meets it, and D +
-// ahead |ahead| >= 0 that the farther root is ahead.
+// ahead |ahead| >= 0, which is off by no more than 3 times as much as D, that the farther root is ahead.
 static inline void judge_occlusion(PencilSphere s, ShadowRay ray, Edge edge, wholew* closes, wholew* clear) {
     const realw ahead = wide(s.center.z) - ray.from.z;
     const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
     const realw discriminant = fma(-x, x, fma(-y, y, wide(s.r2)));
     const realw farther = fma(ahead, fabs(ahead), discriminant);
-    *closes = (discriminant > edge.met) & (farther > edge.ahead);
-    *clear = (discriminant < -edge.met) | (farther < -edge.ahead);
+    const realw off = fma(ray.off, wide(edge.slope), wide(edge.fixed));
+    *closes = (discriminant > off) & (farther > 3 * off);
+    *clear = (discriminant < -off) | (farther < -3 * off);
 }
 
 // Where it is open whether the surface faces the light: n . l is off by the normal's doubt, l's turn and the dot
 // product's 3 u.
-static inline wholew may_face(LightPencil light, vec3w position, vec3w normal, real off, real turned, real base) {
-    return !(fabs(dot_r(light.axis, normal)) > wide(turned + 8 * ROUNDING));
+static inline wholew may_face(LightPencil light, vec3w position, vec3w normal, realw off, realw turned, real base) {
+    return !(fabs(dot_r(light.axis, normal)) > turned + 8 * ROUNDING);
 }
 
 #endif

@@ -13,6 +13,9 @@ typedef PointPencil LightPencil;
 typedef struct {
     vec3w dir;       // unit, from the light to the receiver
     realw distance;  // between the two
+#if CERTIFIED
+    realw off;  // how far the ray may be turned, in radians
+#endif
 } ShadowRay;
 
 static inline vec3w from_light(LightPencil light, vec3w position) {
@@ -23,7 +26,10 @@ static inline vec3w from_light(LightPencil light, vec3w position) {
 static inline ShadowRay shadow_ray(LightPencil light, vec3w position) {
     const vec3w way = from_light(light, position);
     const realw distance = square_root(dot_w(way, way));
-    return (ShadowRay){scale_w(divide(wide(1.0f), distance), way), distance};
+    ShadowRay ray;
+    ray.dir = scale_w(divide(wide(1.0f), distance), way);
+    ray.distance = distance;
+    return ray;
 }
 
 // n . l / d^2 = (d n . l) / d^3, the share of the light's power that arrives, but for a factor: > 0 where the surface
@@ -51,42 +57,66 @@ static inline wholew occludes(PencilSphere s, ShadowRay ray) {
 
 #if CERTIFIED
 
-// How far the shadow rays of a work-item may be off, as this pencil has them.
-typedef struct {
-    real turn;    // radians
-    real length;  // of the way between light and receiver
-    real light;   // of the light itself, from the eye
-} RayDoubt;
-
 static inline real from_eye(LightPencil light) {
     return sqrt(
         fma(light.origin.x, light.origin.x, fma(light.origin.y, light.origin.y, light.origin.z * light.origin.z)));
 }
+// How far the light itself may be off: its place is rounded, u |o|.
+static inline real light_off(LightPencil light, real base) { return fma(2 * ROUNDING, from_eye(light), base); }
 
-// `position` is the most that one of the receivers is off. The light's place is rounded, u |o|; the way between both
-// rounds once; its length 4 u more, and its direction 5 u.
-static inline RayDoubt ray_doubt(LightPencil light, real position, const ShadowRay* ray, const wholew* open,
-                                 real base) {
-    floatw nearest = wide_float(INFINITY);
-    FOR_PACKETS(k) nearest = LESS(ints_of(open[k]) ? floats_of(ray[k].distance) : nearest, nearest);
-    const float shortest = REDUCE(least, nearest) * (1 - 0x1p-20f);  // doubles became floats
-    const real off = fma(2 * ROUNDING, from_eye(light), base), way = position + fma(4 * ROUNDING, from_eye(light), off);
-    return (RayDoubt){way < 0.5f * shortest ? 2 * way / shortest + 5 * ROUNDING : INFINITY, way, off};
+// How far the shadow rays of a work-item may be off at most.
+typedef struct {
+    real turn;    // radians
+    real length;  // of the way between light and receiver
+    real farthest, light;
+} RayDoubt;
+
+// `position` is how far the receiver is off. The way between both rounds once; its length 4 u more, and its direction
+// 5 u.
+static inline realw ray_off(LightPencil light, ShadowRay ray, realw position, real base) {
+    const realw way = position + wide(fma(4 * ROUNDING, from_eye(light), light_off(light, base)));
+    const realw turn = fma(2 * way, divide(wide(1.0f), ray.distance), wide(5 * ROUNDING));
+    return turn < 1.0f ? turn : wide(INFINITY);
 }
 
-// What settles how a sphere and a ray meet.
+static inline real most_off(const ShadowRay* ray, const wholew* open) {
+    floatw most = wide_float(0.0f);
+    FOR_PACKETS(k) most = MORE(most, ints_of(open[k]) ? floats_of(ray[k].off) : wide_float(0.0f));
+    return REDUCE(most, most) * (1 + 0x1p-20f);  // doubles became floats
+}
+
+static inline RayDoubt ray_doubt(LightPencil light, const ShadowRay* ray, const wholew* open, real base) {
+    floatw farthest = wide_float(0.0f);
+    FOR_PACKETS(k) farthest = MORE(farthest, ints_of(open[k]) ? floats_of(ray[k].distance) : wide_float(0.0f));
+    const real most = REDUCE(most, farthest) * (1 + 0x1p-20f), turn = most_off(ray, open);
+    return (RayDoubt){turn, 0.5f * turn * most, most, light_off(light, base)};
+}
+
+// Of a ray that is turned by `off`, D is off by no more than `fixed` and `slope` times that, and what says whether it is
+// met before the receiver by `before`.
 typedef struct {
-    real met, before;  // of D, and of what says that it is before the receiver
-    real ahead;        // of b
+    real fixed, slope, before;
+    real ahead;  // of b
     int outside, inside;
 } Edge;
 
-// `shift` is of where along the ray the foot of the centre is, and the receiver.
 static inline Edge edge_of(PencilSphere s, RayDoubt doubt, real base) {
-    const Doubt of = doubt_of(s, doubt.turn, base + doubt.light);
-    const real power_off = power_doubt(s, of, base + doubt.light), shift = fma((real)2, doubt.length, of.shift);
-    const real before = 3 * fma(3 * of.radius + 3 * shift, shift, 12 * ROUNDING * s.r2);
-    return (Edge){of.discriminant, before, of.shift, surely_outside(s, power_off), surely_inside(s, power_off)};
+    const real centre = base + doubt.light;
+    const Doubt of = doubt_of(s, doubt.turn, centre);
+    const real power_off = power_doubt(s, of, centre), shift = fma((real)2, doubt.length, of.shift);
+    // Next to the surface the foot is no farther from the receiver than the radius; the power of the receiver seen from
+    // a large sphere is off by what that is, times the diameter, and by roundings: 9 u |f| of b, 4 u of each term.
+    const real near = looks_small(s) ? 3 * fma(3 * (of.radius + shift), shift, 12 * ROUNDING * s.r2)
+                                     : fma(2 * of.radius + 3 * doubt.length, doubt.length, power_off) + 6 * shift * shift +
+                                           ROUNDING * fma(doubt.farthest, fma((real)26, of.distance, 4 * doubt.farthest),
+                                                          8 * fabs(s.power));
+    const real slope = 3 * (of.radius + of.shift), own = fma(12 * ROUNDING, of.distance, 4 * centre);
+    return (Edge){fma(slope, own, 12 * ROUNDING * s.r2),
+                  slope * of.distance,
+                  near,
+                  of.shift,
+                  surely_outside(s, power_off),
+                  surely_inside(s, power_off)};
 }
 
 // Where the sphere surely occludes the ray, and where it surely does not. From outside D >= 0 says that its line meets
@@ -95,23 +125,25 @@ static inline Edge edge_of(PencilSphere s, RayDoubt doubt, real base) {
 static inline void judge_occlusion(PencilSphere s, ShadowRay ray, Edge edge, wholew* closes, wholew* clear) {
     const realw b = dot_r(s.center, ray.dir), before = ray.distance - b;
     const realw discriminant = sphere_discriminant(s, ray.dir, b);
+    const realw off = fma(ray.off, wide(edge.slope), wide(edge.fixed));
+    const realw power = looks_small(s) ? fma(before, before, -discriminant)
+                                       : fma(ray.distance, before - b, wide(s.power));
     if (edge.outside) {
-        const realw nearer = fma(before, fabs(before), discriminant);
-        *closes = (discriminant > edge.met) & (b > edge.ahead) & (nearer > edge.before);
-        *clear = (discriminant < -edge.met) | (b < -edge.ahead) | (nearer < -edge.before);
+        const realw nearer = fma(before, before + fabs(before), -power);
+        *closes = (discriminant > off) & (b > edge.ahead) & (nearer > edge.before);
+        *clear = (discriminant < -off) | (b < -edge.ahead) | (nearer < -edge.before);
         return;
     }
-    const realw power = fma(before, before, -discriminant);
     *closes = edge.inside ? power > edge.before : (wholew)(0);
-    *clear = edge.inside ? power < -edge.before : discriminant < -edge.met;
+    *clear = edge.inside ? power < -edge.before : discriminant < -off;
 }
 
 // Where it is open whether the surface faces the light: (o - p) . n is off by the normal's doubt and 8 u, times the way,
 // and by the way's.
-static inline wholew may_face(LightPencil light, vec3w position, vec3w normal, real off, real turned, real base) {
+static inline wholew may_face(LightPencil light, vec3w position, vec3w normal, realw off, realw turned, real base) {
     const vec3w way = from_light(light, position);
-    const real place = fma(4 * ROUNDING, from_eye(light), base) + off;
-    const realw edge = fma(square_root(dot_w(way, way)), wide(turned + 8 * ROUNDING), wide(place));
+    const realw place = off + wide(fma(4 * ROUNDING, from_eye(light), base));
+    const realw edge = fma(square_root(dot_w(way, way)), turned + 8 * ROUNDING, place);
     return !(fabs(dot_w(way, normal)) > edge);
 }
 

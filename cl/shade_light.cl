@@ -87,7 +87,8 @@ kernel void shade_light(global const real* restrict dirs, global const real* res
                         const LightPencil light, const Real3 phi, const int first, const int items,
                         global real* radiance, const int last_light, const Tile tile, const Planes planes,
                         global int* plane0, global int* plane1, global int* plane2, const real base,
-                        global const real* restrict doubts, global uint* undecided, const int first_word) {
+                        global const real* restrict doubts, global const float* restrict curvatures,
+                        global uint* undecided, const int first_word) {
     const int item = (int)get_global_id(0);
     if (item < items) {
         const Hits hits = {dirs, ts, normals, ids};
@@ -98,7 +99,7 @@ kernel void shade_light(global const real* restrict dirs, global const real* res
         FOR_PACKETS(k) share[k] = unshadowed(hits, light, item, k);
 #endif
 #if CERTIFIED
-        const Certainty certainty = {doubts[2 * item], doubts[2 * item + 1], base, {undecided, first_word}};
+        const Certainty certainty = {doubts, curvatures, base, {undecided, first_word}};
         ulong unsure = 0;
         FOR_PACKETS(k) unsure |= facing_unsure(hits, light, certainty, item, k);
         leave_undecided(unsure, certainty.undecided, item);

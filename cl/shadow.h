@@ -28,29 +28,34 @@ static inline realw unshadowed(Hits hits, LightPencil light, int item, int k) {
     return lit ? share : wide(0.0f);
 }
 
-// What intersect_closest wrote for a work-item beside its hits: how far their positions and normals may be off, and
-// which rays are undecided. Nothing, where nothing is certified.
-typedef struct {
 #if CERTIFIED
-    real position, normal, base;
+// What intersect_closest wrote beside hits: how far their positions may be off, +inf where they are undecided, which
+// these are, and the most curved sphere of those that a work-item hits, 1 / radius.
+typedef struct {
+    global const real* doubts;
+    global const float* curvatures;
+    real base;
     Undecided undecided;
-#else
-    int nothing;
-#endif
 } Certainty;
 
-#if CERTIFIED
-
-// The hits of packet k of which rounding may decide whether they face the light, as bits of the work-item.
+// The hits of packet k of which rounding may decide whether they face the light, as bits of the work-item. The normal is
+// off by what the position is, the centre's rounding, u |f| <= u (t + r), and its own, over the radius; twice that
+// serves while it is below 1/2.
 static inline ulong facing_unsure(Hits hits, LightPencil light, Certainty certainty, int item, int k) {
     const wholew hit = load_i(hits.ids, item, k) >= 0;
     if (!any_lane(hit)) return 0;
+    const realw off = load_r(certainty.doubts, item, k);
+    const realw share = off * certainty.curvatures[item];
+    const realw turned = share < 0.5f ? fma(wide(2.0f), share, wide(12 * ROUNDING)) : wide(INFINITY);
     const vec3w position = scale_w(load_r(hits.ts, item, k), load_3(hits.dirs, item, k));
-    const wholew open = may_face(light, position, load_3(hits.normals, item, k), certainty.position, certainty.normal,
-                                 certainty.base);
-    return bits_of_packet(hit & open, k);
+    const wholew open = may_face(light, position, load_3(hits.normals, item, k), off, turned, certainty.base);
+    return bits_of_packet(hit & (off < INFINITY) & open, k);
 }
 
+#else
+typedef struct {
+    int nothing;
+} Certainty;
 #endif
 
 static inline int any_open(const wholew* open) {
@@ -94,7 +99,7 @@ static inline void trace_certain_group(Hierarchy hierarchy, LightPencil light, c
                                        Certainty certainty, const wholew* id, wholew* open, wholew* unsure,
                                        realw* share) {
     const int face = face_of(light, ray, open);
-    const RayDoubt doubt = ray_doubt(light, certainty.position, ray, open, certainty.base);
+    const RayDoubt doubt = ray_doubt(light, ray, open, certainty.base);
     const FatShadowRay fat = widened(fat_shadow_ray(light, face, ray, open), light, face, doubt);
     hierarchy.nodes += face * (hierarchy.last + 1);  // each face has its own
     Traversal traversal = begin(hierarchy, fat);
@@ -147,6 +152,11 @@ static inline void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil lig
         const realw distance = load_r(hits.ts, item, k);
         t[k] = floats_of(distance);
         ray[k] = shadow_ray(light, scale_w(distance, load_3(hits.dirs, item, k)));
+#if CERTIFIED
+        const realw off = load_r(certainty.doubts, item, k);
+        ray[k].off = ray_off(light, ray[k], off, certainty.base);
+        left[k] &= off < INFINITY;
+#endif
     }
 #if WALK == WALK_NODES
     while (any_open(left)) {

@@ -60,7 +60,8 @@ TileBuffers allocate_tile(const DeviceMemory& memory, const Plan& plan) {
     // Kernel arguments that a scene does not use still have to name a buffer.
     tile.arrival = reals(plan.uses(Kernel::intersect_shadow) ? rays : 1);
     tile.radiance = reals(plan.uses(Kernel::shade_light) ? 3 * rays : 1);
-    tile.doubts = reals(plan.certified ? 2 * rays / plan.rays_per_item() : 1);
+    tile.doubts = reals(plan.certified ? rays : 1);
+    tile.curvatures = memory.room<float>(plan.certified ? rays / plan.rays_per_item() : 1);
     tile.albedos = memory.room<float>(plan.albedos_of_rays ? 3 * rays : 1);
     if (!plan.write_in_place)
         for (cl::Buffer& plane : tile.planes) plane = memory.room<float>(rays);

@@ -43,15 +43,12 @@ int most_faces(const Scene& scene, const Survey& survey, const Frame& frame) {
     return most;
 }
 
-/// Of how far a work-item's hits may be off.
-constexpr int64_t doubts_per_item = 2;
-
 /// A bit for each ray and, while undecided ones are computed again, rays and views of doubles.
 int64_t certifying_bytes(const MemoryNeeds& needs) {
     SphereFootprint doubles = needs.sphere;
     doubles.real_bytes = 8;
-    constexpr int64_t doubts = doubts_per_item * 8, place = 4, bit = 1;
-    return needs.image_rays / 8 + int64_t{refinement_batch} * (bytes_per_ray(8) + doubts + place + bit) +
+    constexpr int64_t doubt = 8 + 4, place = 4, bit = 1;
+    return needs.image_rays / 8 + int64_t{refinement_batch} * (bytes_per_ray(8) + doubt + place + bit) +
            needs.views * doubles.view(needs.spheres);
 }
 
@@ -80,7 +77,7 @@ MemoryPlan share_memory(const Plan& plan, const Scene& scene, const Survey& surv
     needs.asked_tile_rays = options.tile;
     needs.film_bytes_per_ray = plan.write_in_place ? 0 : 3 * 4;
     needs.all_views = options.accuracy == Accuracy::certified;
-    if (needs.all_views) needs.film_bytes_per_ray += doubts_per_item * 4;
+    if (needs.all_views) needs.film_bytes_per_ray += 4 + (4 + plan.rays_per_item() - 1) / plan.rays_per_item();  // doubt, curvature
     // The counts of hits, one a work-group and 4 bytes, and a value for each buffer that a scene does not use.
     constexpr int64_t unused = 1024;
     needs.other_bytes =
