@@ -19,11 +19,15 @@
 #define POWER_ROUNDING 0x1p-50
 #define EYE_TURN (32 * ROUNDING)
 #define STEEPEST 0x1p12
+#define MOST_STEEP INFINITY
+#define FIRST_STEEP 0
 #else
 #define ROUNDING 0x1p-24f
 #define POWER_ROUNDING 0x1p-42f
 #define EYE_TURN (5 * ROUNDING)
 #define STEEPEST 0x1p7f
+#define MOST_STEEP (256 * ROUNDING)
+#define FIRST_STEEP MOST_STEEP
 #endif
 
 // t is off by less than this, in parts of itself, wherever anything is said of it.
@@ -59,7 +63,6 @@ static inline int surely_inside(PencilSphere s, real power_off) { return -s.powe
 typedef struct {
     real steep;
     real plain;  // where D is above, the ray surely meets the sphere, and t is known so
-    real most;   // the largest share of t by which it is then off
     real back;   // elsewhere it is not met before the foot of the centre less this
 } RootDoubt;
 
@@ -69,8 +72,9 @@ static inline RootDoubt root_doubt(PencilSphere s, Doubt doubt, real off) {
     const real steep = (looks_small(s) ? 58 : 120) * ROUNDING + 5 * off / fabs(s.power);
     const real least = MORE((real)(1 / STEEPEST), steep * (2 / MOST_OFF));
     const real farthest = outside ? doubt.distance : doubt.distance + doubt.radius;
-    const real plain = least <= 1 ? MORE(least * least * s.r2, 20 * steep * farthest * doubt.radius) : INFINITY;
-    return (RootDoubt){steep, plain, 2 * steep / least, outside && plain < INFINITY ? 1.5f * sqrt(plain) : INFINITY};
+    const int known = least <= 1 && steep <= MOST_STEEP;
+    const real plain = known ? MORE(least * least * s.r2, 5 * steep * farthest * doubt.radius) : INFINITY;
+    return (RootDoubt){steep, plain, outside && known ? 1.5f * sqrt(plain) : INFINITY};
 }
 
 // The undecided rays of a picture: a bit each, 32 rays a word, those of a tile from first_word on.

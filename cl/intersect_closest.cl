@@ -28,7 +28,7 @@ typedef struct {
 // What is sure of the closest hits.
 typedef struct {
     realw other[PACKETS];  // whatever else the rays may meet begins no nearer
-    real steep, most;      // of all spheres that they met: certify.h
+    real steep;            // of all spheres that they hit: certify.h
 } Bounds;
 
 static inline Hit no_hit(void) {
@@ -71,11 +71,10 @@ static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hi
     }
     if (!any_lane(any)) return 0;
     const RootDoubt off = root_doubt(s, doubt, power_off);
-    if (off.plain < INFINITY) {  // or it is nobody's hit
-        bounds->steep = MORE(bounds->steep, off.steep);
-        bounds->most = MORE(bounds->most, off.most);
-    }
-    const real kept = 1 - bounds->most;
+#if REAL_IS_DOUBLE
+    bounds->steep = off.plain < INFINITY ? MORE(bounds->steep, off.steep) : bounds->steep;  // else it is nobody's hit
+#endif
+    const real kept = 1 - LESS(1.0625f * STEEPEST * bounds->steep, MOST_OFF);
     FOR_PACKETS(k) {
         const realw t = sphere_root(s, b[k], discriminant[k]);
         const wholew plain = near[k] & (discriminant[k] > off.plain), closer = plain & (t < hit[k].t);
@@ -145,7 +144,7 @@ static inline vec3w outward_normal(Hit hit, vec3w dir, realw* inverse) {
 static inline realw position_doubt(Hit hit, const Bounds* bounds, int k, vec3w dir, vec3w normal, real base) {
     const wholew hits = hit.id >= 0;
     const realw cosine = fabs(dot_w(dir, normal));
-    const realw off = hit.t * fma(wide(1.25f * bounds->steep), divide(wide(1.0f), cosine), wide(bounds->steep));
+    const realw off = hit.t * fma(wide(1.5f * bounds->steep), divide(wide(1.0f), cosine), wide(bounds->steep));
     const wholew sure = hits ? bounds->other[k] > hit.t + off : bounds->other[k] == INFINITY;
     const realw position = hits ? fma(wide(20 * ROUNDING), hit.t, off + base) : wide(0.0f);
     return sure ? position : wide(INFINITY);
@@ -164,7 +163,7 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
     vec3w dir[PACKETS];
     Hit hit[PACKETS];
     Bounds bounds;
-    bounds.steep = bounds.most = 0;
+    bounds.steep = FIRST_STEEP;
     wholew valid[PACKETS];
 #if RAYS == RAYS_GENERATED
     // Most work-items that meet nothing are known before their rays are.
