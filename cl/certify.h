@@ -26,7 +26,7 @@
 #define POWER_ROUNDING 0x1p-42f
 #define EYE_TURN (5 * ROUNDING)
 #define STEEPEST 0x1p7f
-#define MOST_STEEP (256 * ROUNDING)
+#define MOST_STEEP (160 * ROUNDING)
 #define FIRST_STEEP MOST_STEEP
 #endif
 

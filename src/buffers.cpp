@@ -91,7 +91,7 @@ std::vector<TileBuffers>& TilePool::get(const DeviceMemory& memory, const Plan& 
                                       plan.uses(Kernel::intersect_shadow) + size_t{2} * plan.uses(Kernel::shade_light),
                                       size_t{plan.write_in_place},
                                       size_t{plan.albedos_of_rays},
-                                      size_t{plan.certified},
+                                      plan.certified ? static_cast<size_t>(plan.rays_per_item()) : 0,
                                       static_cast<size_t>(real_bytes(plan.accuracy))};
     if (shape == shape_) return tiles_;
     shape_ = {};  // of no plan, in case an allocation throws
