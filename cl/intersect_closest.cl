@@ -156,7 +156,8 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
                               const int levels, const int last, const int first_chunk, const int items,
                               global real* restrict ts, global real* restrict normals, global int* restrict ids,
                               const int first_group, global int* restrict hit_counts, const real base,
-                              global real* restrict doubts, global float* restrict curvatures, global uint* restrict undecided, const int first_word) {
+                              global real* restrict doubts, global float* restrict curvatures,
+                              global uint* restrict undecided, const int first_word) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
     const Hierarchy hierarchy = {clusters, nodes, levels, last};
@@ -202,7 +203,8 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
 #endif
     for (; c >= 0; c = next_candidates(hierarchy, &traversal, fat, &rest)) {
         int closer = 0;
-        for (; rest; rest &= rest - 1) closer |= intersect(sphere_of(clusters + c, lowest_bit(rest)), dir, base, hit, &bounds);
+        for (; rest; rest &= rest - 1)
+            closer |= intersect(sphere_of(clusters + c, lowest_bit(rest)), dir, base, hit, &bounds);
 #if WALK == WALK_NODES
         if (!closer) continue;
         traversal.farthest = farthest_hit(hit, valid);

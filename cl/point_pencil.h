@@ -92,8 +92,8 @@ static inline RayDoubt ray_doubt(LightPencil light, const ShadowRay* ray, const 
     return (RayDoubt){turn, 0.5f * turn * most, most, light_off(light, base)};
 }
 
-// Of a ray that is turned by `off`, D is off by no more than `fixed` and `slope` times that, and what says whether it is
-// met before the receiver by `before`.
+// Of a ray that is turned by `off`, D is off by no more than `fixed` and `slope` times that, and what says whether it
+// is met before the receiver by `before`.
 typedef struct {
     real fixed, slope, before;
     real ahead;  // of b
@@ -106,17 +106,14 @@ static inline Edge edge_of(PencilSphere s, RayDoubt doubt, real base) {
     const real power_off = power_doubt(s, of, centre), shift = fma((real)2, doubt.length, of.shift);
     // Next to the surface the foot is no farther from the receiver than the radius; the power of the receiver seen from
     // a large sphere is off by what that is, times the diameter, and by roundings: 9 u |f| of b, 4 u of each term.
-    const real near = looks_small(s) ? 3 * fma(3 * (of.radius + shift), shift, 12 * ROUNDING * s.r2)
-                                     : fma(2 * of.radius + 3 * doubt.length, doubt.length, power_off) + 6 * shift * shift +
-                                           ROUNDING * fma(doubt.farthest, fma((real)26, of.distance, 4 * doubt.farthest),
-                                                          8 * fabs(s.power));
+    const real near =
+        looks_small(s)
+            ? 3 * fma(3 * (of.radius + shift), shift, 12 * ROUNDING * s.r2)
+            : fma(2 * of.radius + 3 * doubt.length, doubt.length, power_off) + 9 * shift * shift +
+                  ROUNDING * fma(doubt.farthest, fma((real)26, of.distance, 4 * doubt.farthest), 8 * fabs(s.power));
     const real slope = 3 * (of.radius + of.shift), own = fma(12 * ROUNDING, of.distance, 4 * centre);
-    return (Edge){fma(slope, own, 12 * ROUNDING * s.r2),
-                  slope * of.distance,
-                  near,
-                  of.shift,
-                  surely_outside(s, power_off),
-                  surely_inside(s, power_off)};
+    return (Edge){fma(slope, own, 12 * ROUNDING * s.r2), slope * of.distance,        near, of.shift,
+                  surely_outside(s, power_off),          surely_inside(s, power_off)};
 }
 
 // Where the sphere surely occludes the ray, and where it surely does not. From outside D >= 0 says that its line meets
@@ -126,8 +123,8 @@ static inline void judge_occlusion(PencilSphere s, ShadowRay ray, Edge edge, who
     const realw b = dot_r(s.center, ray.dir), before = ray.distance - b;
     const realw discriminant = sphere_discriminant(s, ray.dir, b);
     const realw off = fma(ray.off, wide(edge.slope), wide(edge.fixed));
-    const realw power = looks_small(s) ? fma(before, before, -discriminant)
-                                       : fma(ray.distance, before - b, wide(s.power));
+    const realw power =
+        looks_small(s) ? fma(before, before, -discriminant) : fma(ray.distance, before - b, wide(s.power));
     if (edge.outside) {
         const realw nearer = fma(before, before + fabs(before), -power);
         *closes = (discriminant > off) & (b > edge.ahead) & (nearer > edge.before);
@@ -138,8 +135,8 @@ static inline void judge_occlusion(PencilSphere s, ShadowRay ray, Edge edge, who
     *clear = edge.inside ? power < -edge.before : discriminant < -off;
 }
 
-// Where it is open whether the surface faces the light: (o - p) . n is off by the normal's doubt and 8 u, times the way,
-// and by the way's.
+// Where it is open whether the surface faces the light: (o - p) . n is off by the normal's doubt and 8 u, times the
+// way, and by the way's.
 static inline wholew may_face(LightPencil light, vec3w position, vec3w normal, realw off, realw turned, real base) {
     const vec3w way = from_light(light, position);
     const realw place = off + wide(fma(4 * ROUNDING, from_eye(light), base));

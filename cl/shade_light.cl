@@ -6,8 +6,8 @@
 // / pi (directional) or power / (4 pi^2) (point). Adds to radiance (3 a ray, block order), or sets it for the first
 // light. Albedos are those of ids or, with -D ALBEDOS_OF_RAYS=1, of the rays in their order. With -D RESOLVES=1 the
 // last light's launch resolves the radiance too, as `resolve` would, group by group while it is in the caches; groups
-// then have whole blocks. With -D CERTIFIED=1 hits of which rounding may decide whether they are lit are left undecided,
-// by doubts and undecided as intersect_closest wrote them. One work-item: PACKETS * LANES neighbouring rays.
+// then have whole blocks. With -D CERTIFIED=1 hits of which rounding may decide whether they are lit are left
+// undecided, by doubts and undecided as intersect_closest wrote them. One work-item: PACKETS * LANES neighbouring rays.
 #include "resolve.h"
 #include "shadow.h"
 

@@ -38,8 +38,8 @@ typedef struct {
     Undecided undecided;
 } Certainty;
 
-// The hits of packet k of which rounding may decide whether they face the light, as bits of the work-item. The normal is
-// off by what the position is, the centre's rounding, u |f| <= u (t + r), and its own, over the radius; twice that
+// The hits of packet k of which rounding may decide whether they face the light, as bits of the work-item. The normal
+// is off by what the position is, the centre's rounding, u |f| <= u (t + r), and its own, over the radius; twice that
 // serves while it is below 1/2.
 static inline ulong facing_unsure(Hits hits, LightPencil light, Certainty certainty, int item, int k) {
     const wholew hit = load_i(hits.ids, item, k) >= 0;

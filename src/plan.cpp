@@ -77,7 +77,8 @@ MemoryPlan share_memory(const Plan& plan, const Scene& scene, const Survey& surv
     needs.asked_tile_rays = options.tile;
     needs.film_bytes_per_ray = plan.write_in_place ? 0 : 3 * 4;
     needs.all_views = options.accuracy == Accuracy::certified;
-    if (needs.all_views) needs.film_bytes_per_ray += 4 + (4 + plan.rays_per_item() - 1) / plan.rays_per_item();  // doubt, curvature
+    if (needs.all_views)
+        needs.film_bytes_per_ray += 4 + (4 + plan.rays_per_item() - 1) / plan.rays_per_item();  // doubt, curvature
     // The counts of hits, one a work-group and 4 bytes, and a value for each buffer that a scene does not use.
     constexpr int64_t unused = 1024;
     needs.other_bytes =
@@ -103,9 +104,9 @@ DeviceLimits::DeviceLimits(const DeviceInfo& info)
 
 const char* to_string(Kernel kernel) {
     static constexpr const char* names[] = {
-        "sphere_keys",     "count_digits",   "scan_counts",    "scatter_pairs", "find_duplicates",   "gather_spheres",
-        "project_spheres", "bound_clusters", "bound_nodes",    "generate_rays", "intersect_closest", "intersect_shadow",
-        "shade_light",     "resolve",        "refine_rays",   "measure_roots"};
+        "sphere_keys",     "count_digits",   "scan_counts", "scatter_pairs", "find_duplicates",   "gather_spheres",
+        "project_spheres", "bound_clusters", "bound_nodes", "generate_rays", "intersect_closest", "intersect_shadow",
+        "shade_light",     "resolve",        "refine_rays", "measure_roots"};
     return names[static_cast<int>(kernel)];
 }
 

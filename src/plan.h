@@ -40,9 +40,9 @@ enum class Kernel {
     intersect_closest,
     intersect_shadow,
     shade_light,
-    resolve,        // once a tile
-    refine_rays,    // once a batch of undecided pixels
-    measure_roots   // for the report alone, in no plan
+    resolve,       // once a tile
+    refine_rays,   // once a batch of undecided pixels
+    measure_roots  // for the report alone, in no plan
 };
 const char* to_string(Kernel kernel);
 

@@ -120,7 +120,8 @@ void Scheduler::enqueue(size_t index, Slot& slot) {
         if (chunks_ && meets_spheres(step.kernel, plan_))
             launch_chunks(index, step, slot);
         else
-            launch(index, {step, tile, slot.buffers, slot.first_group, slot.first_block, &resident_spheres(step)}, slot);
+            launch(index, {step, tile, slot.buffers, slot.first_group, slot.first_block, &resident_spheres(step)},
+                   slot);
         if (step.kernel == Kernel::resolve && !plan_.write_in_place) read_planes(step.output, tile, slot);
     }
     slot.queue.flush();
@@ -135,7 +136,9 @@ void Scheduler::launch_chunks(size_t index, const Step& step, Slot& slot) {
     for (int chunk = 0; chunk < chunks_->chunks(); ++chunk) {
         queue_.finish();
         const SphereBuffers spheres = chunks_->seen(step.light, chunk);
-        launch(index, {step, plan_.tiles[index], slot.buffers, slot.first_group, slot.first_block, &spheres, chunk == 0}, slot);
+        launch(index,
+               {step, plan_.tiles[index], slot.buffers, slot.first_group, slot.first_block, &spheres, chunk == 0},
+               slot);
         queue_.finish();
     }
     if (step.kernel == Kernel::intersect_closest && plan_.albedos_of_rays) look_up_albedos(plan_.tiles[index], slot);

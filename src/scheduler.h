@@ -74,7 +74,7 @@ class Scheduler {
     cl::Buffer hit_counts_;                        // for each work-group of intersect_closest, tile after tile
     UndecidedRays undecided_;
     std::vector<int> first_groups_, first_blocks_;  // of each tile, in hit_counts_ and in all tiles' blocks
-    int groups_ = 0;                               // of all tiles
+    int groups_ = 0;                                // of all tiles
     std::optional<Binder> binder_;
     Measured measured_;
 };

@@ -39,8 +39,7 @@ HitsOf<real> closest(Bench& bench, Width w, const Camera& camera, const PencilSp
                      .kernel,
                  items, dirs.buffer(), EyePencilOf<real>{}, Tile{}, eye_basis(camera), in.clusters.buffer(),
                  in.nodes.buffer(), spheres.levels, spheres.last, 1, items, ts.buffer(), normals.buffer(), ids.buffer(),
-                 first_group, counts.buffer(), real(0), ts.buffer(), ts.buffer(),
-                 ids.buffer(), 0);
+                 first_group, counts.buffer(), real(0), ts.buffer(), ts.buffer(), ids.buffer(), 0);
     HitsOf<real> hits{ts.read(), normals.read(), ids.read(), counts.read()};
     dirs.check_unchanged();
     in.check_unchanged();
