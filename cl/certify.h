@@ -1,86 +1,101 @@
-// What rounding may decide, in the kernels that are built with -D CERTIFIED=1: for each decision a bound of its error.
-// docs/accuracy.md derives every constant. Decisions that a bound does not settle are left to `refine_*`.
+// What rounding may decide, in the kernels that are built with -D CERTIFIED=1: for each decision a bound of its error,
+// derived in docs/accuracy.md. What a bound does not settle is left undecided, to be computed again.
+//
+// Bounds are one number for a sphere, or for a sphere and a work-item: rays only compare with them. That leaves more
+// undecided than a bound for each ray would, but a thousandth of the rays computed again costs less than that.
 //
 // u = 2^-24. `base` is how far the scene's own numbers may be off, in the frame's unit (pairs of floats hold 48 bits);
-// 0 < 4 base covers what a sphere and an apex have of it together. All bounds are written so that NaN settles nothing.
+// 4 base covers what a sphere and an apex have of it together. All bounds are written so that NaN settles nothing.
 #ifndef GNOMON_CERTIFY_H
 #define GNOMON_CERTIFY_H
 
 #include "cluster.h"
 
+// STEEPEST: where the cosine between ray and normal is less than 1 / STEEPEST the sphere is grazed, and nothing is said
+// of t. EYE_TURN: how far a ray of the eye's may be turned, in radians. Doubles, in which few rays are computed, leave
+// as little as they can.
 #if REAL_IS_DOUBLE
 #define ROUNDING 0x1p-53
 #define POWER_ROUNDING 0x1p-50
-#define EYE_TURN (32 * ROUNDING)  // how far a ray of the eye's may be turned, in radians
+#define EYE_TURN (32 * ROUNDING)
+#define STEEPEST 0x1p12
+#define MOST_STEEP INFINITY
+#define FIRST_STEEP 0
 #else
 #define ROUNDING 0x1p-24f
 #define POWER_ROUNDING 0x1p-42f
 #define EYE_TURN (5 * ROUNDING)
+#define STEEPEST 0x1p7f
+#define MOST_STEEP (160 * ROUNDING)
+#define FIRST_STEEP MOST_STEEP
 #endif
 
-// A meeting is plain if D is known to a quarter, and t to 2^-10, of itself. Nearly all are, and need no closer look.
-#define PLAIN 0x1p-12f
-#define PLAINLY 0x1p-10f
+// t is off by less than this, in parts of itself, wherever anything is said of it.
+#define MOST_OFF 0x1p-8f
 
 // How far a sphere's numbers, as a pencil has them, may be from the truth.
 typedef struct {
     real shift;         // of its centre across and along a ray, and of b = f . dir
     real discriminant;  // of D, wherever D is near 0 or above
-    real power;         // of C
     real radius, distance;
 } Doubt;
 
+// At least |f|, and no more than sqrt(3) times as much.
+static inline real distance_of(PencilSphere s) { return fabs(s.center.x) + fabs(s.center.y) + fabs(s.center.z); }
+
 // `turn` is how far a ray may be turned (radians), `base` how far the centre is off before it was rounded.
 static inline Doubt doubt_of(PencilSphere s, real turn, real base) {
-    // At least |f|, and no more than sqrt(3) times as much.
-    const real distance = fabs(s.center.x) + fabs(s.center.y) + fabs(s.center.z), radius = sqrt(s.r2);
+    const real distance = distance_of(s), radius = sqrt(s.r2);
     const real shift = distance * (turn + 12 * ROUNDING) + 4 * base;
-    return (Doubt){shift, (3 * radius + 3 * shift) * shift + 12 * ROUNDING * s.r2,
-                   4 * ROUNDING * fabs(s.power) + 16 * base * distance + POWER_ROUNDING * (distance * distance + s.r2),
-                   radius, distance};
+    return (Doubt){shift, (3 * radius + 3 * shift) * shift + 12 * ROUNDING * s.r2, radius, distance};
 }
 
-// The sum of |f_i d_i|.
-static inline realw terms_of(vec3w f, vec3w dir) {
-    return fma(fabs(dir.x), fabs(f.x), fma(fabs(dir.y), fabs(f.y), fabs(dir.z) * fabs(f.z)));
+// What C is off by beside 4 u of itself.
+static inline real power_doubt(PencilSphere s, Doubt doubt, real base) {
+    return 16 * base * (doubt.distance + doubt.radius) + POWER_ROUNDING * (doubt.distance * doubt.distance + s.r2);
+}
+// Whether the apex is surely outside the sphere, or surely inside.
+static inline int surely_outside(PencilSphere s, real power_off) { return s.power > 2 * power_off; }
+static inline int surely_inside(PencilSphere s, real power_off) { return -s.power > 2 * power_off; }
+
+// What may be said of a sphere's roots. With x = r / sqrt(D), 1 / the cosine between ray and normal, t is off by no
+// more than (FIXED + steep x) t, and FIXED <= steep.
+typedef struct {
+    real steep;
+    real plain;  // where D is above, the ray surely meets the sphere, and t is known so
+    real back;   // elsewhere it is not met before the foot of the centre less this
+} RootDoubt;
+
+// `off` is the power's doubt.
+static inline RootDoubt root_doubt(PencilSphere s, Doubt doubt, real off) {
+    const int outside = surely_outside(s, off);
+    const real steep = (looks_small(s) ? 58 : 120) * ROUNDING + 5 * off / fabs(s.power);
+    const real least = MORE((real)(1 / STEEPEST), steep * (2 / MOST_OFF));
+    const real farthest = outside ? doubt.distance : doubt.distance + doubt.radius;
+    const int known = least <= 1 && steep <= MOST_STEEP;
+    const real plain = known ? MORE(least * least * s.r2, 5 * steep * farthest * doubt.radius) : INFINITY;
+    return (RootDoubt){steep, plain, outside && known ? 1.5f * sqrt(plain) : INFINITY};
 }
 
-// dq + tau r q / sqrt(D), times sqrt(D): what of a root's error is over sqrt(D) q.
-static inline realw root_error(realw b_off, realw discriminant_off, realw radius, realw root, realw q) {
-    return fma(b_off, root, fma(radius * EYE_TURN, q, discriminant_off));
+// The undecided rays of a picture: a bit each, 32 rays a word, those of a tile from first_word on.
+typedef struct {
+    global uint* words;
+    int first_word;
+} Undecided;
+
+// A mask of packet k as bits of its work-item.
+static inline ulong bits_of_packet(wholew which, int k) {
+    return (ulong)(uint)lane_bits(ints_of(which)) << (k * LANES);
 }
 
-// Whether a meeting, D > doubt.discriminant, is plain. For small spheres dq / q and the turn are at most 24 u r /
-// sqrt(D) while the base is below 2 u |f|.
-static inline wholew is_plain(Doubt doubt, PencilSphere s, vec3w dir, real base, realw b, realw discriminant) {
-    if (looks_small(s)) {
-        const real least = (24 * ROUNDING + 14 * base / doubt.distance) / PLAIN;
-        return discriminant > MORE(s.r2 * (least * least), 4 * doubt.discriminant);
-    }
-    const realw root = sqrt(discriminant), q = fabs(b) + root;
-    const realw b_off = fma(wide(9 * ROUNDING), terms_of(broadcast(s.center), dir), wide(base));
-    const realw off = fma(fabs(b), 2 * b_off, wide(doubt.power));
-    const realw turned = fabs(b) * (2 * doubt.radius * EYE_TURN);
-    return (root_error(b_off, off, wide(doubt.radius), root, q) < PLAIN * root * q) &
-           (off + turned < 0.25f * discriminant) & (wide(doubt.power) < PLAIN * fabs(wide(s.power)));
-}
-
-// How far the root t of a sphere of centre f may be off, if D is known to a quarter and t to 2^-8 of itself, else
-// infinitely. At a hit sqrt(D) is |b - t|.
-static inline realw root_doubt(vec3w f, vec3w dir, realw t, real base) {
-    const realw b = dot_w(f, dir), root = fabs(b - t), q = fabs(b) + root, squared = dot_w(f, f);
-    const vec3w out = fma_w(t, dir, (vec3w){-f.x, -f.y, -f.z});
-    const realw r2 = dot_w(out, out), radius = sqrt(r2), own = 12 * ROUNDING * r2;
-    const realw power = q * t,
-                power_off = fma(power, wide(4 * ROUNDING), POWER_ROUNDING * (squared + r2)) + 16 * base * sqrt(squared);
-    const realw b_off = fma(wide(9 * ROUNDING), terms_of(f, dir), wide(base));
-    const realw of_small = fma(2 * radius, fma(wide(2 * ROUNDING), sqrt(squared), wide(base)), own);
-    const realw of_large = fma(fabs(b), 2 * b_off, power_off);
-    const realw off = 2 * r2 < squared ? of_small : of_large, turned = fabs(b) * (2 * radius * EYE_TURN);
-    const realw error = root_error(b_off, off, radius, root, q);
-    const realw share = fma(power_off, root, error * t) / (root * power);
-    const wholew known = (share < 4 * PLAIN) & (off + turned < 0.25f * root * root);
-    return known ? t * fma(wide(2.5f), share, wide(8 * ROUNDING)) : wide(INFINITY);
+static inline void leave_undecided(ulong rays, Undecided undecided, int item) {
+    if (!rays) return;
+    const uint first = (uint)item * (LANES * PACKETS);
+    global uint* word = undecided.words + undecided.first_word + first / 32;
+    atomic_or(word, (uint)rays << first % 32);
+#if LANES * PACKETS > 32
+    atomic_or(word + 1, (uint)(rays >> 32));
+#endif
 }
 
 #endif

@@ -4,9 +4,10 @@
 // it writes dirs itself, as generate_rays would, but not those of work-items that meet nothing. Writes per ray t, the
 // outward unit normal and the id (a miss: +inf, (inf, inf, inf), -1); adds to hit_counts[first_group + g] how many more
 // rays of work-group g hit. Where the spheres come in chunks (-D CHUNKS=1) and this is not the first of them, what was
-// written for those before is read, and stays where nothing is closer. With -D CERTIFIED=1 it also writes doubts (2 a
-// ray): how far the position may be off, +inf where rounding may have decided what is hit, and the normal. One
-// work-item: PACKETS * LANES neighbouring rays of a block against the spheres that their fat ray may meet.
+// written for those before is read, and stays where nothing is closer. With -D CERTIFIED=1 it also sets the bits of the
+// rays of which rounding may decide what they hit in undecided (one a ray, from word first_word on), and writes doubts,
+// 2 a work-item with hits: how far the position, and the normal, of any other of its hits may be off. One work-item:
+// PACKETS * LANES neighbouring rays of a block against the spheres that their fat ray may meet.
 #include "certify.h"
 #include "eye_pencil.h"
 #include "fat_ray.h"
@@ -22,27 +23,24 @@ typedef struct {
     realw t;
     wholew id;
     vec3w center;
-#if CERTIFIED
-    realw unsure;  // what rounding may have decided lies no nearer than this
-#endif
 } Hit;
 
+// What is sure of the closest hits.
+typedef struct {
+    realw other[PACKETS];  // whatever else the rays may meet begins no nearer
+    real steep;            // of all spheres that they hit: certify.h
+} Bounds;
+
 static inline Hit no_hit(void) {
-    Hit hit = {wide(INFINITY), (wholew)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}};
-#if CERTIFIED
-    hit.unsure = wide(INFINITY);
-#endif
+    const Hit hit = {wide(INFINITY), (wholew)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}};
     return hit;
 }
 
-static inline void store_misses(global real* ts, global real* normals, global int* ids, global real* doubts, int item) {
+static inline void store_misses(global real* ts, global real* normals, global int* ids, int item) {
     FOR_PACKETS(k) {
         store_r(wide(INFINITY), ts, item, k);
         store_3(broadcast((Real3){INFINITY, INFINITY, INFINITY}), normals, item, k);
         store_i((wholew)(-1), ids, item, k);
-#if CERTIFIED
-        store_2(wide(0.0f), wide(0.0f), doubts, item, k);
-#endif
     }
 }
 
@@ -60,50 +58,31 @@ __attribute__((always_inline)) static inline int next_candidates(Hierarchy hiera
 
 #if CERTIFIED
 
-// The rays of a packet for which bounds do not settle at once whether the sphere is met, and before what is hit.
-static inline void look_closer(PencilSphere s, Doubt doubt, vec3w dir, real base, realw b, realw discriminant,
-                               wholew meets, realw t, wholew* closer, Hit* hit) {
-    const real edge = doubt.discriminant;
-    const int outside = s.power > doubt.power, inside = s.power < -doubt.power;
-    const wholew passes = discriminant < -edge, behind = b < -doubt.shift, none = 0;
-    const wholew misses = passes | (outside ? behind : none);
-    const wholew sure = is_plain(doubt, s, dir, base, b, discriminant) & (outside  ? b > doubt.shift
-                                                                          : inside ? !none
-                                                                                   : none);
-    const realw off = root_doubt(broadcast(s.center), dir, t, base),
-                hit_off = root_doubt(hit->center, dir, hit->t, base);
-    const realw near = t - off, hit_near = hit->id >= 0 ? hit->t - hit_off : hit->t;
-    const wholew apart = (near > hit->t + hit_off) | (t + off < hit_near) | ((hit->id < 0) & (off < INFINITY));
-    // Where it is grazed D < 2 edge, or nothing is known.
-    const realw grazed = b - (doubt.shift + 1.5f * sqrt(edge)), all = -INFINITY;
-    const realw from = (outside ? grazed > -INFINITY : none) ? LESS(grazed, near) : all;
-    hit->unsure = LESS(sure | misses ? wide(INFINITY) : near == near ? from : all, hit->unsure);
-    hit->unsure = LESS(sure & !apart ? LESS(near, hit_near) : wide(INFINITY), hit->unsure);
-    *closer = (meets | sure) & !misses & (t > 0.0f) & (t < hit->t);
-}
-
-// 0 when no ray can have a closer hit now than before.
-static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit) {
+// As below, but only what bounds settle is a hit; of all else is kept where it may begin.
+static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Bounds* bounds) {
     const Doubt doubt = doubt_of(s, EYE_TURN, base);
+    const real power_off = power_doubt(s, doubt, base);
+    const real behind = surely_outside(s, power_off) ? -doubt.shift : -INFINITY;
     realw b[PACKETS], discriminant[PACKETS];
     wholew near[PACKETS], any = 0;
     FOR_PACKETS(k) {
         b[k] = dot_r(s.center, dir[k]);
         discriminant[k] = sphere_discriminant(s, dir[k], b[k]);
-        near[k] = !(discriminant[k] < -doubt.discriminant);
+        near[k] = !((discriminant[k] < -doubt.discriminant) | (b[k] < behind));
         any |= near[k];
     }
     if (!any_lane(any)) return 0;
-    const int sided = fabs(s.power) > MORE(4 * doubt.shift * doubt.shift, doubt.power);
+    const RootDoubt off = root_doubt(s, doubt, power_off);
+#if REAL_IS_DOUBLE
+    bounds->steep = off.plain < INFINITY ? MORE(bounds->steep, off.steep) : bounds->steep;  // else it is nobody's hit
+#endif
+    const real kept = 1 - LESS(1.0625f * STEEPEST * bounds->steep, MOST_OFF);
     FOR_PACKETS(k) {
         const realw t = sphere_root(s, b[k], discriminant[k]);
-        const wholew meets = sphere_meets(s, b[k], discriminant[k]);
-        const wholew plain =
-            is_plain(doubt, s, dir[k], base, b[k], discriminant[k]) & (sided ? !(wholew)(0) : (wholew)(0));
-        const wholew tied = fabs(t - hit[k].t) <= 4 * PLAINLY * t;
-        wholew closer = meets & (t < hit[k].t);
-        if (any_lane(near[k] & (!plain | tied)))
-            look_closer(s, doubt, dir[k], base, b[k], discriminant[k], meets, t, &closer, hit + k);
+        const wholew plain = near[k] & (discriminant[k] > off.plain), closer = plain & (t < hit[k].t);
+        const realw loser = kept * (closer ? hit[k].t : plain ? t : wide(INFINITY));
+        const realw other = near[k] & !plain ? b[k] - off.back : loser;
+        bounds->other[k] = LESS(bounds->other[k], other);
         hit[k].t = closer ? t : hit[k].t;
         hit[k].id = closer ? (wholew)(s.id) : hit[k].id;
         hit[k].center = select_w(closer, broadcast(s.center), hit[k].center);
@@ -111,8 +90,8 @@ static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hi
     return 1;
 }
 
-// Hits that are not plain are not decided.
-static inline realw reaches(Hit hit) { return fma(hit.t, wide(4 * PLAINLY), hit.t); }
+// What begins beyond cannot come before the hit.
+static inline realw reaches(Hit hit) { return fma(hit.t, wide(MOST_OFF), hit.t); }
 
 #else
 
@@ -128,7 +107,7 @@ static inline int may_be_closer(wholew meets, realw b, float reach, Hit hit) {
 }
 
 // 0 when no ray can have a closer hit now than before.
-static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit) {
+static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Bounds* bounds) {
     realw b[PACKETS], discriminant[PACKETS];
     wholew meets[PACKETS], any = 0;
     FOR_PACKETS(k) {
@@ -175,21 +154,15 @@ static inline vec3w outward_normal(Hit hit, vec3w dir, realw* inverse) {
 }
 
 #if CERTIFIED
-// The position is off by t's doubt along the ray and, the ray's turn and two roundings, 8 u t across it; the normal by
-// that, the centre's rounding, 1 u |f| <= u (t + r), and out's own, over the radius, which is |out| but for as much.
-// Twice the quotient serves while it is below 1/2; beyond, nothing is known.
-static inline void store_doubts(Hit hit, vec3w dir, realw inverse, real base, global real* doubts, int item, int k) {
+// How far the position of a hit may be off; infinitely where its ray is undecided. By t's doubt along the ray and, the
+// ray's turn and two roundings, by 8 u t across it; 12 u t more is what a light's pencil rounds (parallel_pencil.h).
+static inline realw position_doubt(Hit hit, const Bounds* bounds, int k, vec3w dir, vec3w normal, real base) {
     const wholew hits = hit.id >= 0;
-    realw position = wide(0.0f), normal = wide(0.0f);
-    wholew sure = hit.unsure == INFINITY;
-    if (any_lane(hits)) {
-        const realw off = root_doubt(hit.center, dir, hit.t, base);
-        const realw share = fma(fma(wide(12 * ROUNDING), hit.t, off + base), inverse, wide(4 * ROUNDING));
-        position = hits ? fma(wide(8 * ROUNDING), hit.t, off) : position;
-        normal = share < 0.5f ? fma(wide(2.0f), share, wide(4 * ROUNDING)) : wide(INFINITY);
-        sure = hits ? hit.unsure > hit.t + off : sure;
-    }
-    store_2(sure ? position : wide(INFINITY), normal, doubts, item, k);
+    const realw cosine = fabs(dot_w(dir, normal));
+    const realw off = hit.t * fma(wide(1.5f * bounds->steep), divide(wide(1.0f), cosine), wide(bounds->steep));
+    const wholew sure = hits ? bounds->other[k] > hit.t + off : bounds->other[k] == INFINITY;
+    const realw position = hits ? fma(wide(20 * ROUNDING), hit.t, off + base) : wide(0.0f);
+    return sure ? position : wide(INFINITY);
 }
 #endif
 
@@ -198,12 +171,15 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
                               const int levels, const int last, const int first_chunk, const int items,
                               global real* restrict ts, global real* restrict normals, global int* restrict ids,
                               const int first_group, global int* restrict hit_counts, const real base,
-                              global real* restrict doubts) {
+                              global real* restrict doubts, global float* restrict curvatures,
+                              global uint* restrict undecided, const int first_word) {
     const int item = (int)get_global_id(0);
     if (item >= items) return;
     const Hierarchy hierarchy = {clusters, nodes, levels, last};
     vec3w dir[PACKETS];
     Hit hit[PACKETS];
+    Bounds bounds;
+    bounds.steep = FIRST_STEEP;
     wholew valid[PACKETS];
 #if RAYS == RAYS_GENERATED
     // Most work-items that meet nothing are known before their rays are.
@@ -211,7 +187,7 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
     Traversal traversal = begin(hierarchy, fat);
     int rest, c = next_candidates(hierarchy, &traversal, fat, &rest);
     if (c < 0) {
-        store_misses(ts, normals, ids, doubts, item);
+        store_misses(ts, normals, ids, item);
         return;
     }
 #endif
@@ -224,6 +200,7 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
 #endif
         valid[k] = dir[k].x == dir[k].x;  // pixels outside the image are NaN
         hit[k] = no_hit();
+        bounds.other[k] = wide(INFINITY);
     }
 #if CHUNKS
     if (!first_chunk) FOR_PACKETS(k) {
@@ -241,7 +218,8 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
 #endif
     for (; c >= 0; c = next_candidates(hierarchy, &traversal, fat, &rest)) {
         int closer = 0;
-        for (; rest; rest &= rest - 1) closer |= intersect(sphere_of(clusters + c, lowest_bit(rest)), dir, base, hit);
+        for (; rest; rest &= rest - 1)
+            closer |= intersect(sphere_of(clusters + c, lowest_bit(rest)), dir, base, hit, &bounds);
 #if WALK == WALK_NODES
         if (!closer) continue;
         traversal.farthest = farthest_hit(hit, valid);
@@ -249,12 +227,19 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
 #endif
     }
     wholew hits = 0;
+#if CERTIFIED
+    ulong open = 0;
+    floatw curved = wide_float(0.0f);
+#endif
     FOR_PACKETS(k) {
         store_r(hit[k].t, ts, item, k);
         realw inverse;
         vec3w normal = outward_normal(hit[k], dir[k], &inverse);
 #if CERTIFIED
-        store_doubts(hit[k], dir[k], inverse, base, doubts, item, k);
+        const realw off = position_doubt(hit[k], &bounds, k, dir[k], normal, base);
+        store_r(off, doubts, item, k);
+        open |= bits_of_packet(valid[k] & (off == INFINITY), k);
+        curved = MORE(curved, floats_of(hit[k].id >= 0 ? inverse : wide(0.0f)));
 #endif
         hits += hit[k].id >= 0 ? (wholew)(1) : (wholew)(0);
 #if CHUNKS
@@ -267,5 +252,9 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
         store_3(normal, normals, item, k);
         store_i(hit[k].id, ids, item, k);
     }
+#if CERTIFIED
+    curvatures[item] = REDUCE(most, curved) * (1 + 0x1p-20f);
+    leave_undecided(open, (Undecided){undecided, first_word}, item);
+#endif
     atomic_add(hit_counts + first_group + get_group_id(0), REDUCE(count, ints_of(hits)));
 }

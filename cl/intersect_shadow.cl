@@ -22,6 +22,6 @@ kernel void intersect_shadow(global const real* restrict dirs, global const real
 #else
     FOR_PACKETS(k) share[k] = unshadowed(hits, light, item, k);
 #endif
-    trace_shadows(hits, hierarchy, light, group_depth, item, share, 0, 0);
+    trace_shadows(hits, hierarchy, light, group_depth, item, share, (Certainty){0});
     FOR_PACKETS(k) store_r(share[k], arrival, item, k);
 }

@@ -14,11 +14,17 @@ typedef ParallelPencil LightPencil;
 typedef struct {
     vec3w from;     // the receiver in the basis
     realw squared;  // its squared distance from the eye
+#if CERTIFIED
+    realw off;  // how far the receiver may be off
+#endif
 } ShadowRay;
 
 static inline ShadowRay shadow_ray(LightPencil light, vec3w position) {
     const vec3w from = {dot_r(light.u, position), dot_r(light.v, position), dot_r(light.axis, position)};
-    return (ShadowRay){from, dot_w(from, from)};
+    ShadowRay ray;
+    ray.from = from;
+    ray.squared = dot_w(from, from);
+    return ray;
 }
 
 // n . l, the share of the light's irradiance that arrives: > 0 where the surface faces the light.
@@ -43,55 +49,52 @@ static inline wholew occludes(PencilSphere s, ShadowRay ray) {
 
 #if CERTIFIED
 
-// How far the receivers of a work-item may be off, as this pencil has them.
+// How far the receivers of a work-item may be off at most.
 typedef struct {
     real shift;
 } RayDoubt;
-typedef Doubt Edge;
 
-// `position` is the most that one is off. Its coordinates in the basis: the basis is turned by up to 2 u, three dot
-// products of 3 u; together with the sphere's, 12 u |c| in doubt_of, 12 u |p|.
-static inline RayDoubt ray_doubt(LightPencil light, real position, real farthest, real shortest, real longest,
-                                 real base) {
-    return (RayDoubt){fma(12 * ROUNDING, farthest, position) + base};
+// `position` is how far the receiver is off, with what it takes to bring it into the basis (intersect_closest): this is
+// turned by up to 2 u, and three dot products round by 3 u; together with the sphere's, 12 u |c| in edge_of, 12 u |p|.
+static inline realw ray_off(LightPencil light, ShadowRay ray, realw position, real base) { return position + base; }
+
+static inline real most_off(const ShadowRay* ray, const wholew* open) {
+    floatw most = wide_float(0.0f);
+    FOR_PACKETS(k) most = MORE(most, ints_of(open[k]) ? floats_of(ray[k].off) : wide_float(0.0f));
+    return REDUCE(most, most) * (1 + 0x1p-20f);  // doubles became floats
 }
 
-// Nothing here depends on how far the light is.
-static inline realw way_of(ShadowRay ray) { return wide(INFINITY); }
+static inline RayDoubt ray_doubt(LightPencil light, const ShadowRay* ray, const wholew* open, real base) {
+    return (RayDoubt){most_off(ray, open)};
+}
 
-// A sphere's edge: D is off by no more, wherever it is near 0 or above.
+// Of a ray that is off by `off`, D is off by no more than `fixed` and `slope` times that.
+typedef struct {
+    real fixed, slope;
+} Edge;
+
 static inline Edge edge_of(PencilSphere s, RayDoubt doubt, real base) {
-    const real distance = fabs(s.center.x) + fabs(s.center.y) + fabs(s.center.z);
-    const real shift = 12 * ROUNDING * distance + doubt.shift + base;
-    return (Edge){shift, (2 * sqrt(s.r2) + 3 * shift) * shift + 12 * ROUNDING * s.r2, 0};
+    const real own = fma(12 * ROUNDING, distance_of(s), base);
+    const real slope = fma((real)3, doubt.shift + own, 2 * sqrt(s.r2));
+    return (Edge){fma(slope, own, 12 * ROUNDING * s.r2), slope};
 }
 
-// Where the sphere is not surely passed.
-static inline wholew is_near(PencilSphere s, ShadowRay ray, Edge edge) {
-    const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
-    return !(fma(-x, x, fma(-y, y, wide(s.r2))) < -edge.discriminant);
-}
-
-// Where it surely occludes the ray, and where it surely does not.
-static inline void judge_occlusion(PencilSphere s, ShadowRay ray, RayDoubt doubt, Edge edge, wholew* closes,
-                                   wholew* clear) {
+// Where the sphere surely occludes the ray, and where it surely does not: D >= 0 says that its line meets it, and D +
+// ahead |ahead| >= 0, which is off by no more than 3 times as much as D, that the farther root is ahead.
+static inline void judge_occlusion(PencilSphere s, ShadowRay ray, Edge edge, wholew* closes, wholew* clear) {
     const realw ahead = wide(s.center.z) - ray.from.z;
     const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
     const realw discriminant = fma(-x, x, fma(-y, y, wide(s.r2)));
-    // The receiver's power: next to the surface |ahead| <= r, and it is off by as much again.
-    const realw power = fma(ahead, ahead, -discriminant);
-    const real e = edge.discriminant;
-    *closes = (discriminant > e) & ((ahead > edge.shift) | (power < -2 * e));
-    *clear = (discriminant < -e) | ((ahead < -edge.shift) & (power > 2 * e));
+    const realw farther = fma(ahead, fabs(ahead), discriminant);
+    const realw off = fma(ray.off, wide(edge.slope), wide(edge.fixed));
+    *closes = (discriminant > off) & (farther > 3 * off);
+    *clear = (discriminant < -off) | (farther < -3 * off);
 }
 
-// Where the surface surely faces the light, or surely does not: n . l is off by the normal's doubt, l's turn and the
-// dot product's 3 u.
-static inline void judge_facing(LightPencil light, vec3w position, vec3w normal, realw t, realw off, realw turned,
-                                real base, wholew* faces, wholew* averted) {
-    const realw cosine = dot_r(light.axis, normal), edge = turned + 8 * ROUNDING;
-    *faces = cosine > edge;
-    *averted = cosine < -edge;
+// Where it is open whether the surface faces the light: n . l is off by the normal's doubt, l's turn and the dot
+// product's 3 u.
+static inline wholew may_face(LightPencil light, vec3w position, vec3w normal, realw off, realw turned, real base) {
+    return !(fabs(dot_r(light.axis, normal)) > turned + 8 * ROUNDING);
 }
 
 #endif

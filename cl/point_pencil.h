@@ -13,6 +13,9 @@ typedef PointPencil LightPencil;
 typedef struct {
     vec3w dir;       // unit, from the light to the receiver
     realw distance;  // between the two
+#if CERTIFIED
+    realw off;  // how far the ray may be turned, in radians
+#endif
 } ShadowRay;
 
 static inline vec3w from_light(LightPencil light, vec3w position) {
@@ -23,7 +26,10 @@ static inline vec3w from_light(LightPencil light, vec3w position) {
 static inline ShadowRay shadow_ray(LightPencil light, vec3w position) {
     const vec3w way = from_light(light, position);
     const realw distance = square_root(dot_w(way, way));
-    return (ShadowRay){scale_w(divide(wide(1.0f), distance), way), distance};
+    ShadowRay ray;
+    ray.dir = scale_w(divide(wide(1.0f), distance), way);
+    ray.distance = distance;
+    return ray;
 }
 
 // n . l / d^2 = (d n . l) / d^3, the share of the light's power that arrives, but for a factor: > 0 where the surface
@@ -51,74 +57,91 @@ static inline wholew occludes(PencilSphere s, ShadowRay ray) {
 
 #if CERTIFIED
 
-// How far the shadow rays of a work-item may be off, as this pencil has them.
-typedef struct {
-    real turn;      // radians
-    real length;    // of the way between light and receiver
-    real farthest;  // the longest of these ways
-    real light;     // of the light itself, from the eye
-} RayDoubt;
-
 static inline real from_eye(LightPencil light) {
     return sqrt(
         fma(light.origin.x, light.origin.x, fma(light.origin.y, light.origin.y, light.origin.z * light.origin.z)));
 }
+// How far the light itself may be off: its place is rounded, u |o|.
+static inline real light_off(LightPencil light, real base) { return fma(2 * ROUNDING, from_eye(light), base); }
 
-// `position` is the most that one of the receivers is off. The light's place is rounded, 1 u |o|; the way between both
-// rounds once; its length 4 u more, and its direction 5 u.
-static inline RayDoubt ray_doubt(LightPencil light, real position, real farthest, real shortest, real longest,
-                                 real base) {
-    const real off = fma(2 * ROUNDING, from_eye(light), base),
-               way = fma(4 * ROUNDING, farthest + from_eye(light), position) + off;
-    const real turn = way < 0.5f * shortest ? fma((real)2.0f, way / shortest, 5 * ROUNDING) : INFINITY;
-    return (RayDoubt){turn, way, longest, off};
+// How far the shadow rays of a work-item may be off at most.
+typedef struct {
+    real turn;    // radians
+    real length;  // of the way between light and receiver
+    real farthest, light;
+} RayDoubt;
+
+// `position` is how far the receiver is off. The way between both rounds once; its length 4 u more, and its direction
+// 5 u.
+static inline realw ray_off(LightPencil light, ShadowRay ray, realw position, real base) {
+    const realw way = position + wide(fma(4 * ROUNDING, from_eye(light), light_off(light, base)));
+    const realw turn = fma(2 * way, divide(wide(1.0f), ray.distance), wide(5 * ROUNDING));
+    return turn < 1.0f ? turn : wide(INFINITY);
 }
 
-static inline realw way_of(ShadowRay ray) { return ray.distance; }
+static inline real most_off(const ShadowRay* ray, const wholew* open) {
+    floatw most = wide_float(0.0f);
+    FOR_PACKETS(k) most = MORE(most, ints_of(open[k]) ? floats_of(ray[k].off) : wide_float(0.0f));
+    return REDUCE(most, most) * (1 + 0x1p-20f);  // doubles became floats
+}
 
-typedef Doubt Edge;
+static inline RayDoubt ray_doubt(LightPencil light, const ShadowRay* ray, const wholew* open, real base) {
+    floatw farthest = wide_float(0.0f);
+    FOR_PACKETS(k) farthest = MORE(farthest, ints_of(open[k]) ? floats_of(ray[k].distance) : wide_float(0.0f));
+    const real most = REDUCE(most, farthest) * (1 + 0x1p-20f), turn = most_off(ray, open);
+    return (RayDoubt){turn, 0.5f * turn * most, most, light_off(light, base)};
+}
+
+// Of a ray that is turned by `off`, D is off by no more than `fixed` and `slope` times that, and what says whether it
+// is met before the receiver by `before`.
+typedef struct {
+    real fixed, slope, before;
+    real ahead;  // of b
+    int outside, inside;
+} Edge;
+
 static inline Edge edge_of(PencilSphere s, RayDoubt doubt, real base) {
-    return doubt_of(s, doubt.turn, base + doubt.light);
+    const real centre = base + doubt.light;
+    const Doubt of = doubt_of(s, doubt.turn, centre);
+    const real power_off = power_doubt(s, of, centre), shift = fma((real)2, doubt.length, of.shift);
+    // Next to the surface the foot is no farther from the receiver than the radius; the power of the receiver seen from
+    // a large sphere is off by what that is, times the diameter, and by roundings: 9 u |f| of b, 4 u of each term.
+    const real near =
+        looks_small(s)
+            ? 3 * fma(3 * (of.radius + shift), shift, 12 * ROUNDING * s.r2)
+            : fma(2 * of.radius + 3 * doubt.length, doubt.length, power_off) + 9 * shift * shift +
+                  ROUNDING * fma(doubt.farthest, fma((real)26, of.distance, 4 * doubt.farthest), 8 * fabs(s.power));
+    const real slope = 3 * (of.radius + of.shift), own = fma(12 * ROUNDING, of.distance, 4 * centre);
+    return (Edge){fma(slope, own, 12 * ROUNDING * s.r2), slope * of.distance,        near, of.shift,
+                  surely_outside(s, power_off),          surely_inside(s, power_off)};
 }
 
-// Where the sphere is not surely passed.
-static inline wholew is_near(PencilSphere s, ShadowRay ray, Edge edge) {
-    return !(sphere_discriminant(s, ray.dir, dot_r(s.center, ray.dir)) < -edge.discriminant);
-}
-
-// Where it surely occludes the ray, and where it surely does not.
-static inline void judge_occlusion(PencilSphere s, ShadowRay ray, RayDoubt doubt, Edge d, wholew* closes,
-                                   wholew* clear) {
-    const real edge = d.discriminant, farther = fma((real)2.0f, doubt.length, d.shift), radius = sqrt(s.r2);
-    const int outside = s.power > d.power, inside = s.power < -d.power;
-    const realw b = dot_r(s.center, ray.dir), beyond = b - ray.distance;
+// Where the sphere surely occludes the ray, and where it surely does not. From outside D >= 0 says that its line meets
+// it, and D + before |before| >= 0 that the nearer root comes before the receiver; from inside it is met where the
+// receiver is not in the ball.
+static inline void judge_occlusion(PencilSphere s, ShadowRay ray, Edge edge, wholew* closes, wholew* clear) {
+    const realw b = dot_r(s.center, ray.dir), before = ray.distance - b;
     const realw discriminant = sphere_discriminant(s, ray.dir, b);
-    // The receiver's power. beyond^2 - D, and next to the surface |beyond| <= r; for spheres that look large C - d (2 b
-    // - d), which is off by what the receiver is, times the diameter, and by roundings: b's 9 u |f| (root_doubt), twice
-    // d times, and 4 u of the terms.
-    realw power = fma(beyond, beyond, -discriminant);
-    real power_edge = fma(fma(radius, (real)2.0f, 3 * farther), farther, 2 * edge);
-    if (!looks_small(s)) {
-        const real away = sqrt(MORE(s.power + s.r2, 0.0f)), d_most = doubt.farthest;
-        power = fma(-ray.distance, b + beyond, wide(s.power));
-        power_edge = fma(2 * radius + 3 * doubt.length, doubt.length, d.power) +
-                     ROUNDING * fma(d_most, fma((real)26.0f, away, 4 * d_most), 4 * fabs(s.power));
+    const realw off = fma(ray.off, wide(edge.slope), wide(edge.fixed));
+    const realw power =
+        looks_small(s) ? fma(before, before, -discriminant) : fma(ray.distance, before - b, wide(s.power));
+    if (edge.outside) {
+        const realw nearer = fma(before, before + fabs(before), -power);
+        *closes = (discriminant > off) & (b > edge.ahead) & (nearer > edge.before);
+        *clear = (discriminant < -off) | (b < -edge.ahead) | (nearer < -edge.before);
+        return;
     }
-    const wholew passes = discriminant < -edge, in = power<-power_edge, out = power> power_edge;
-    const wholew foot = (discriminant > edge) & (b > d.shift) & (beyond < -farther);
-    const wholew none = 0;
-    *closes = outside ? in | foot : inside ? out : none;
-    *clear = outside ? passes | (b < -d.shift) | ((beyond > farther) & out) : inside ? in : passes;
+    *closes = edge.inside ? power > edge.before : (wholew)(0);
+    *clear = edge.inside ? power < -edge.before : discriminant < -off;
 }
 
-static inline void judge_facing(LightPencil light, vec3w position, vec3w normal, realw t, realw off, realw turned,
-                                real base, wholew* faces, wholew* averted) {
+// Where it is open whether the surface faces the light: (o - p) . n is off by the normal's doubt and 8 u, times the
+// way, and by the way's.
+static inline wholew may_face(LightPencil light, vec3w position, vec3w normal, realw off, realw turned, real base) {
     const vec3w way = from_light(light, position);
-    const realw distance = sqrt(dot_w(way, way)), place = wide(fma(4 * ROUNDING, from_eye(light), base));
-    const realw edge = fma(distance, turned + 8 * ROUNDING, fma(t, wide(4 * ROUNDING), off) + place);
-    const realw facing = -dot_w(way, normal);
-    *faces = facing > edge;
-    *averted = facing < -edge;
+    const realw place = off + wide(fma(4 * ROUNDING, from_eye(light), base));
+    const realw edge = fma(square_root(dot_w(way, way)), turned + 8 * ROUNDING, place);
+    return !(fabs(dot_w(way, normal)) > edge);
 }
 
 #endif

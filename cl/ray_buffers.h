@@ -25,10 +25,6 @@ static inline vec3w load_3(global const real* p, int item, int k) {
 static inline void store_r(realw v, global real* p, int item, int k) {
     *(global realw*)(p + lane_address(item, k, 0, 1)) = v;
 }
-static inline void store_2(realw x, realw y, global real* p, int item, int k) {
-    *(global realw*)(p + lane_address(item, k, 0, 2)) = x;
-    *(global realw*)(p + lane_address(item, k, 1, 2)) = y;
-}
 static inline void store_i(wholew v, global int* p, int item, int k) {
     *(global intw*)(p + lane_address(item, k, 0, 1)) = ints_of(v);
 }

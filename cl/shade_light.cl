@@ -6,8 +6,8 @@
 // / pi (directional) or power / (4 pi^2) (point). Adds to radiance (3 a ray, block order), or sets it for the first
 // light. Albedos are those of ids or, with -D ALBEDOS_OF_RAYS=1, of the rays in their order. With -D RESOLVES=1 the
 // last light's launch resolves the radiance too, as `resolve` would, group by group while it is in the caches; groups
-// then have whole blocks. With -D CERTIFIED=1 hits of which rounding may decide whether they are lit are left undecided
-// in doubts (intersect_closest). One work-item: PACKETS * LANES neighbouring rays.
+// then have whole blocks. With -D CERTIFIED=1 hits of which rounding may decide whether they are lit are left
+// undecided, by doubts and undecided as intersect_closest wrote them. One work-item: PACKETS * LANES neighbouring rays.
 #include "resolve.h"
 #include "shadow.h"
 
@@ -87,21 +87,28 @@ kernel void shade_light(global const real* restrict dirs, global const real* res
                         const LightPencil light, const Real3 phi, const int first, const int items,
                         global real* radiance, const int last_light, const Tile tile, const Planes planes,
                         global int* plane0, global int* plane1, global int* plane2, const real base,
-                        global real* doubts) {
+                        global const real* restrict doubts, global const float* restrict curvatures,
+                        global uint* undecided, const int first_word) {
     const int item = (int)get_global_id(0);
     if (item < items) {
         const Hits hits = {dirs, ts, normals, ids};
         realw share[PACKETS];
 #if SHADOWS == SHADOWS_READ
         FOR_PACKETS(k) share[k] = load_r(arrival, item, k);
-#elif CERTIFIED
-        FOR_PACKETS(k) share[k] = certainly_unshadowed(hits, light, base, doubts, item, k);
 #else
         FOR_PACKETS(k) share[k] = unshadowed(hits, light, item, k);
 #endif
+#if CERTIFIED
+        const Certainty certainty = {doubts, curvatures, base, {undecided, first_word}};
+        ulong unsure = 0;
+        FOR_PACKETS(k) unsure |= facing_unsure(hits, light, certainty, item, k);
+        leave_undecided(unsure, certainty.undecided, item);
+#else
+        const Certainty certainty = {0};
+#endif
 #if SHADOWS == SHADOWS_TRACED
         const Hierarchy hierarchy = {clusters, nodes, levels, last};
-        trace_shadows(hits, hierarchy, light, group_depth, item, share, base, doubts);
+        trace_shadows(hits, hierarchy, light, group_depth, item, share, certainty);
 #endif
         const Albedos all = {albedos + first_albedo, albedo_stride};
         FOR_PACKETS(k) add_light(hits, all, phi, share[k], first, item, k, radiance);

@@ -25,7 +25,7 @@ std::vector<std::pair<void*, size_t>> planes_of(Film& film, Output output) {
 }
 
 Binder::Binder(const cl::Context& context, const Plan& plan, const SceneBuffers& scene, Film& film,
-               const cl::Buffer& hit_counts, const cl::Buffer& undecided)
+               const cl::Buffer& hit_counts, const UndecidedRays& undecided)
     : plan_(plan), scene_(scene), film_(film), hit_counts_(hit_counts), undecided_(undecided) {
     if (!plan.write_in_place) return;
     for (const Step& step : plan.steps)
@@ -45,14 +45,13 @@ void Binder::bind(cl::Kernel& kernel, const TileLaunch& launch) const {
             return set_arguments(kernel, b.dirs, scene_.eye, launch.tile, scene_.eye_basis, launch.spheres->clusters,
                                  launch.spheres->nodes, launch.spheres->levels, launch.spheres->last,
                                  launch.first_chunk ? 1 : 0, items, b.ts, b.normals, b.ids, launch.first_group,
-                                 hit_counts_, base_doubt(), b.doubts);
+                                 hit_counts_, base_doubt(), b.doubts, b.curvatures, undecided_.words(),
+                                 UndecidedRays::first_word(launch.first_block));
         case Kernel::intersect_shadow:
         case Kernel::shade_light:
             return bind_light(kernel, launch, items);
         case Kernel::resolve:
             return bind_resolve(kernel, launch);
-        case Kernel::list_undecided:
-            return set_arguments(kernel, b.doubts, launch.tile, film_.width, film_.height, items, undecided_);
         default:  // the kernels before the tiles are no steps
             break;
     }
@@ -73,7 +72,8 @@ void Binder::bind_light(cl::Kernel& kernel, const TileLaunch& launch, int items)
                           plan_.group_depth, albedos.values, albedos.first, albedos.stride, pencil, light.phi,
                           launch.step.first ? 1 : 0, items, b.radiance, launch.step.resolves ? 1 : 0, launch.tile,
                           shape_of_planes(launch.tile), plane(launch, 0), plane(launch, 1), plane(launch, 2),
-                          base_doubt(), b.doubts);
+                          base_doubt(), b.doubts, b.curvatures, undecided_.words(),
+                          UndecidedRays::first_word(launch.first_block));
     };
     std::visit(with, light.pencil);
 }

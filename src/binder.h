@@ -9,6 +9,7 @@
 #include "film.h"
 #include "launcher.h"
 #include "plan.h"
+#include "undecided.h"
 
 namespace gnomon {
 
@@ -21,6 +22,7 @@ struct TileLaunch {
     const Tile& tile;
     const TileBuffers& buffers;
     int first_group = 0;                     ///< of the tile's work-groups, in the counts of hits
+    int first_block = 0;                     ///< of the tile's blocks, in all tiles'
     const SphereBuffers* spheres = nullptr;  ///< for the kernels that meet them
     bool first_chunk = true;                 ///< of these
 };
@@ -29,7 +31,7 @@ class Binder {
   public:
     /// The film's planes become buffers where the plan writes them in place.
     Binder(const cl::Context& context, const Plan& plan, const SceneBuffers& scene, Film& film,
-           const cl::Buffer& hit_counts, const cl::Buffer& undecided);
+           const cl::Buffer& hit_counts, const UndecidedRays& undecided);
 
     /// Sets all arguments of the kernel that the step launches.
     void bind(cl::Kernel& kernel, const TileLaunch& launch) const;
@@ -48,7 +50,8 @@ class Binder {
     const Plan& plan_;
     const SceneBuffers& scene_;
     const Film& film_;
-    cl::Buffer hit_counts_, undecided_;
+    cl::Buffer hit_counts_;
+    UndecidedRays undecided_;
     std::vector<cl::Buffer> planes_[4];
 };
 

@@ -105,7 +105,6 @@ void add_steps(Plan& plan, const Scene& scene, const RenderOptions& options) {
         else
             plan.steps.back().resolves = true;
     }
-    if (plan.certified) chain.add_lanes({Kernel::list_undecided, 0}, {});
 }
 
 void add_refinement_steps(Plan& plan, const Scene& scene, bool shaded) {

@@ -43,12 +43,12 @@ int most_faces(const Scene& scene, const Survey& survey, const Frame& frame) {
     return most;
 }
 
-/// The list of undecided pixels and, while these are computed again, rays and views of doubles.
+/// A bit for each ray and, while undecided ones are computed again, rays and views of doubles.
 int64_t certifying_bytes(const MemoryNeeds& needs) {
     SphereFootprint doubles = needs.sphere;
     doubles.real_bytes = 8;
-    constexpr int64_t doubts = 2 * 8, place = 4;
-    return 4 * (1 + needs.image_rays) + int64_t{refinement_batch} * (2 * bytes_per_ray(4) + doubts + place) +
+    constexpr int64_t doubt = 8 + 4, place = 4, bit = 1;
+    return needs.image_rays / 8 + int64_t{refinement_batch} * (bytes_per_ray(8) + doubt + place + bit) +
            needs.views * doubles.view(needs.spheres);
 }
 
@@ -77,7 +77,8 @@ MemoryPlan share_memory(const Plan& plan, const Scene& scene, const Survey& surv
     needs.asked_tile_rays = options.tile;
     needs.film_bytes_per_ray = plan.write_in_place ? 0 : 3 * 4;
     needs.all_views = options.accuracy == Accuracy::certified;
-    if (needs.all_views) needs.film_bytes_per_ray += 2 * 4;  // the doubts
+    if (needs.all_views)
+        needs.film_bytes_per_ray += 4 + (4 + plan.rays_per_item() - 1) / plan.rays_per_item();  // doubt, curvature
     // The counts of hits, one a work-group and 4 bytes, and a value for each buffer that a scene does not use.
     constexpr int64_t unused = 1024;
     needs.other_bytes =
@@ -103,9 +104,9 @@ DeviceLimits::DeviceLimits(const DeviceInfo& info)
 
 const char* to_string(Kernel kernel) {
     static constexpr const char* names[] = {
-        "sphere_keys",     "count_digits",   "scan_counts",    "scatter_pairs", "find_duplicates",   "gather_spheres",
-        "project_spheres", "bound_clusters", "bound_nodes",    "generate_rays", "intersect_closest", "intersect_shadow",
-        "shade_light",     "resolve",        "list_undecided", "refine_rays",   "measure_roots"};
+        "sphere_keys",     "count_digits",   "scan_counts", "scatter_pairs", "find_duplicates",   "gather_spheres",
+        "project_spheres", "bound_clusters", "bound_nodes", "generate_rays", "intersect_closest", "intersect_shadow",
+        "shade_light",     "resolve",        "refine_rays", "measure_roots"};
     return names[static_cast<int>(kernel)];
 }
 
@@ -168,9 +169,8 @@ Plan make_plan(const Scene& scene, const Survey& survey, const RenderOptions& op
     plan.max_slices = limits.compute_units * (limits.cpu ? 16 : 64);
     plan.spheres = survey.count;
     plan.certified = options.accuracy == Accuracy::certified;
-    // A hierarchy's rays differ: all that is hard may lie in one tile. And the list of undecided pixels is one for all.
-    const bool even = plan.flat() && !plan.certified;
-    use(choose_tiling(scene.image, options.tile, even, real_bytes(plan.accuracy), limits), plan);
+    // A hierarchy's rays differ: all that is hard may lie in one tile.
+    use(choose_tiling(scene.image, options.tile, plan.flat(), real_bytes(plan.accuracy), limits), plan);
     plan.has_rests = !choose_frame(scene, survey).floats;
     plan.group_depth = group_depth(scene);
     const uint64_t plane_bytes =

@@ -40,10 +40,9 @@ enum class Kernel {
     intersect_closest,
     intersect_shadow,
     shade_light,
-    resolve,
-    list_undecided,  // once a tile
-    refine_rays,     // once a batch of undecided pixels
-    measure_roots    // for the report alone, in no plan
+    resolve,       // once a tile
+    refine_rays,   // once a batch of undecided pixels
+    measure_roots  // for the report alone, in no plan
 };
 const char* to_string(Kernel kernel);
 
@@ -102,7 +101,7 @@ struct Plan {
     int64_t spheres = 0;
     bool has_rests = false;  ///< their numbers are not all floats
     MemoryPlan memory;
-    bool certified = false;        ///< the pixels that rounding may have decided are listed
+    bool certified = false;        ///< the pixels that rounding may have decided are known
     bool albedos_of_rays = false;  ///< looked up by the host when all hits are known, since no chunk has all
 
     int rays_per_item() const { return lanes * packets; }

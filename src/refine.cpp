@@ -1,7 +1,6 @@
 #include "refine.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "certify.h"
 
@@ -11,7 +10,7 @@ namespace {
 
 /// What kernels wrote for a batch of rays, in block order.
 struct Traced {
-    std::vector<double> ts, normals, doubts, radiance;
+    std::vector<double> ts, normals, radiance;
     std::vector<int> ids;
 };
 
@@ -28,7 +27,7 @@ Vec3 three(const std::vector<double>& values, int k) {
 template <class T>
 void read(const cl::CommandQueue& queue, const cl::Buffer& buffer, size_t count, std::vector<T>& values) {
     values.resize(count);
-    queue.enqueueReadBuffer(buffer, CL_TRUE, 0, count * sizeof(T), values.data());
+    queue.enqueueReadBuffer(buffer, CL_FALSE, 0, count * sizeof(T), values.data());
 }
 
 }  // namespace
@@ -44,7 +43,8 @@ Refinement::Refinement(const cl::Context& context, const cl::CommandQueue& queue
       film_(film),
       memory_(memory),
       hit_counts_(memory.room<int>(refinement_batch)),
-      binder_(context, plan, scene, film, hit_counts_, hit_counts_) {}
+      undecided_(memory, refinement_batch / BLOCK_RAYS),
+      binder_(context, plan, scene, film, hit_counts_, undecided_) {}
 
 std::vector<int> Refinement::refine(const std::vector<int>& pixels, const std::vector<cl::Event>& after) {
     last_ = after;
@@ -69,6 +69,7 @@ void Refinement::launch(const cl::Kernel& kernel, int items) {
 void Refinement::trace(const cl::Buffer& places, int first, int count) {
     const int blocks = (count + BLOCK_RAYS - 1) / BLOCK_RAYS;
     const Tile tile{0, 0, blocks, blocks};
+    undecided_.clear(queue_, &last_.emplace_back());
     for (const Step& step : plan_.steps) {
         cl::Kernel kernel = programs_.get(plan_.variants[static_cast<size_t>(step.variant)]).kernel;
         if (step.kernel == Kernel::refine_rays) {
@@ -78,11 +79,12 @@ void Refinement::trace(const cl::Buffer& places, int first, int count) {
         }
         const SphereBuffers& spheres =
             step.light < 0 ? scene_.spheres : scene_.lights[static_cast<size_t>(step.light)].spheres;
-        binder_.bind(kernel, {step, tile, tile_, 0, &spheres});
+        binder_.bind(kernel, {step, tile, tile_, 0, 0, &spheres});
         launch(kernel, plan_.items(step.kernel, tile));
     }
-    queue_.finish();
+    const cl::Event traced = last_.back();
     last_.clear();
+    traced.wait();
 }
 
 void Refinement::write(const int* pixels, int count, std::vector<int>& undecided) {
@@ -91,14 +93,13 @@ void Refinement::write(const int* pixels, int count, std::vector<int>& undecided
     Traced traced;
     read(queue_, tile_.ts, rays, traced.ts);
     read(queue_, tile_.normals, 3 * rays, traced.normals);
-    read(queue_, tile_.doubts, 2 * rays, traced.doubts);
+    std::vector<uint32_t> open;
+    undecided_.read(queue_, open);
     read(queue_, tile_.ids, rays, traced.ids);
     if (shaded) read(queue_, tile_.radiance, 3 * rays, traced.radiance);
+    queue_.finish();
+    for (const int ray : undecided_rays(open)) undecided.push_back(pixels[ray]);
     for (int k = 0; k < count; ++k) {
-        if (!(traced.doubts[at(k, 0, 2)] < std::numeric_limits<double>::infinity())) {
-            undecided.push_back(pixels[k]);
-            continue;
-        }
         const Vec3 radiance = shaded ? three(traced.radiance, k) : Vec3{0, 0, 0};
         put(film_, static_cast<size_t>(pixels[k]),
             {traced.ids[at(k, 0, 1)],

@@ -32,6 +32,7 @@ class Refinement {
     Film& film_;
     const DeviceMemory& memory_;
     cl::Buffer hit_counts_;
+    UndecidedRays undecided_;
     Binder binder_;
     std::vector<cl::Event> last_;
 };

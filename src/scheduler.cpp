@@ -14,6 +14,12 @@ namespace {
 // that is the CPU. Memory for events stays bounded.
 constexpr size_t tiles_ahead = 256;
 
+int blocks_of(const Plan& plan) {
+    int blocks = 0;
+    for (const Tile& tile : plan.tiles) blocks += tile.blocks;
+    return blocks;
+}
+
 bool meets_spheres(Kernel kernel, const Plan& plan) {
     return kernel == Kernel::intersect_closest || kernel == Kernel::intersect_shadow ||
            (kernel == Kernel::shade_light && plan.shadows == Shadows::traced);
@@ -28,23 +34,27 @@ Scheduler::Scheduler(const Workers& workers, const DeviceMemory& memory, const P
       plan_(plan),
       scene_(scene),
       kernels_(std::move(kernels)),
-      film_(film) {
+      film_(film),
+      undecided_(memory, plan.certified ? blocks_of(plan) : 1) {
     for (const TileBuffers& buffers : tiles)
-        slots_.push_back({workers_[slots_.size() % workers_.size()], buffers, {}, 0});
+        slots_.push_back({workers_[slots_.size() % workers_.size()], buffers, {}, 0, 0});
     launched_.resize(plan.tiles.size());
     measured_.launches.resize(plan.variants.size());
     measured_.seconds.resize(plan.variants.size());
+    int blocks = 0;
     for (const Tile& tile : plan.tiles) {
+        first_blocks_.push_back(blocks);
+        blocks += tile.blocks;
         first_groups_.push_back(groups_);
         groups_ += static_cast<int>(groups(Kernel::intersect_closest, tile));
     }
     hit_counts_ = memory.room<int>(groups_);
-    undecided_ = memory.room<int>(plan.certified ? 1 + int64_t{plan.image.width} * plan.image.height : 1);
     binder_.emplace(workers.context(), plan, scene, film, hit_counts_, undecided_);
 }
 
 Measured Scheduler::run(const std::vector<cl::Event>& after, const std::function<void(double)>& progress) {
     std::vector<int> hits(static_cast<size_t>(groups_));
+    std::vector<uint32_t> undecided;
     // Commands under way write into the film and the counts: never leave before they have ended.
     struct Finish {
         Scheduler& scheduler;
@@ -56,7 +66,7 @@ Measured Scheduler::run(const std::vector<cl::Event>& after, const std::function
     std::vector<cl::Event> ready = after;
     queue_.enqueueFillBuffer(hit_counts_, 0, 0, static_cast<size_t>(groups_) * sizeof(int), nullptr,
                              &ready.emplace_back());
-    if (plan_.certified) queue_.enqueueFillBuffer(undecided_, 0, 0, sizeof(int), nullptr, &ready.emplace_back());
+    if (plan_.certified) undecided_.clear(queue_, &ready.emplace_back());
     queue_.flush();  // or other queues might wait for it forever (OpenCL 1.2, 5.13)
     for (Slot& slot : slots_) slot.busy = ready;
     if (plan_.workers > 1)
@@ -64,9 +74,10 @@ Measured Scheduler::run(const std::vector<cl::Event>& after, const std::function
     else
         run_ahead(progress);
     queue_.enqueueReadBuffer(hit_counts_, CL_FALSE, 0, hits.size() * sizeof(int), hits.data());
+    if (plan_.certified) undecided_.read(queue_, undecided);
     if (plan_.write_in_place) map_film();
     queue_.finish();
-    if (plan_.certified) read_undecided();
+    measured_.undecided = undecided_pixels(undecided, plan_.tiles, plan_.image);
     measured_.hits = std::accumulate(hits.begin(), hits.end(), int64_t{0});
     return measured_;
 }
@@ -104,11 +115,13 @@ void Scheduler::await(size_t tile, const std::function<void(double)>& progress) 
 void Scheduler::enqueue(size_t index, Slot& slot) {
     const Tile& tile = plan_.tiles[index];
     slot.first_group = first_groups_[index];
+    slot.first_block = first_blocks_[index];
     for (const Step& step : plan_.steps) {
         if (chunks_ && meets_spheres(step.kernel, plan_))
             launch_chunks(index, step, slot);
         else
-            launch(index, {step, tile, slot.buffers, slot.first_group, &resident_spheres(step)}, slot);
+            launch(index, {step, tile, slot.buffers, slot.first_group, slot.first_block, &resident_spheres(step)},
+                   slot);
         if (step.kernel == Kernel::resolve && !plan_.write_in_place) read_planes(step.output, tile, slot);
     }
     slot.queue.flush();
@@ -123,7 +136,9 @@ void Scheduler::launch_chunks(size_t index, const Step& step, Slot& slot) {
     for (int chunk = 0; chunk < chunks_->chunks(); ++chunk) {
         queue_.finish();
         const SphereBuffers spheres = chunks_->seen(step.light, chunk);
-        launch(index, {step, plan_.tiles[index], slot.buffers, slot.first_group, &spheres, chunk == 0}, slot);
+        launch(index,
+               {step, plan_.tiles[index], slot.buffers, slot.first_group, slot.first_block, &spheres, chunk == 0},
+               slot);
         queue_.finish();
     }
     if (step.kernel == Kernel::intersect_closest && plan_.albedos_of_rays) look_up_albedos(plan_.tiles[index], slot);
@@ -177,15 +192,6 @@ void Scheduler::collect(size_t tile) {
         measured_.seconds[static_cast<size_t>(l.variant)] += seconds_of(l.event);
     }
     launched_[tile].clear();
-}
-
-void Scheduler::read_undecided() {
-    int count = 0;
-    queue_.enqueueReadBuffer(undecided_, CL_TRUE, 0, sizeof count, &count);
-    measured_.undecided.resize(static_cast<size_t>(count));
-    if (count > 0)
-        queue_.enqueueReadBuffer(undecided_, CL_TRUE, sizeof(int), measured_.undecided.size() * sizeof(int),
-                                 measured_.undecided.data());
 }
 
 /// A buffer over host memory shows its values there once it is mapped (OpenCL 1.2, 5.2.1); on a device that shares the

@@ -42,6 +42,7 @@ class Scheduler {
         TileBuffers buffers;
         std::vector<cl::Event> busy;
         int first_group;  // of its work-groups, in hit_counts_
+        int first_block;  // of its blocks, in all tiles'
     };
     struct Launched {
         int variant;
@@ -59,7 +60,6 @@ class Scheduler {
     void read_planes(Output output, const Tile& tile, Slot& slot);
     void await(size_t tile, const std::function<void(double)>& progress);
     void collect(size_t tile);
-    void read_undecided();
     void map_film();
 
     cl::CommandQueue queue_;                 // of the whole device
@@ -72,9 +72,9 @@ class Scheduler {
     std::vector<Slot> slots_;
     std::vector<std::vector<Launched>> launched_;  // for each tile
     cl::Buffer hit_counts_;                        // for each work-group of intersect_closest, tile after tile
-    cl::Buffer undecided_;                         // how many, and which
-    std::vector<int> first_groups_;                // of each tile, in hit_counts_
-    int groups_ = 0;                               // of all tiles
+    UndecidedRays undecided_;
+    std::vector<int> first_groups_, first_blocks_;  // of each tile, in hit_counts_ and in all tiles' blocks
+    int groups_ = 0;                                // of all tiles
     std::optional<Binder> binder_;
     Measured measured_;
 };

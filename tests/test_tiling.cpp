@@ -38,6 +38,9 @@ TEST_CASE("tiling: each core of a CPU that can be split has tiles of its own, an
         CHECK(plan.tiles.size() >= 2 * static_cast<size_t>(cores));
     }
     CHECK(plan_of(1920, 1080, {}, {}, 256).workers == 2);
+    RenderOptions certified;
+    certified.accuracy = Accuracy::certified;
+    CHECK(plan_of(1920, 1080, {}, certified).workers == 2);
 }
 
 TEST_CASE("tiling: the whole device works on all tiles where cores would not pay", "[plan][tiling]") {
@@ -54,9 +57,7 @@ TEST_CASE("tiling: the whole device works on all tiles where cores would not pay
     CHECK(plan_of(1920, 1080, {}, {}, 257).workers == 1);  // a hierarchy: all that is hard may lie in one tile
     const Plan small = plan_of(64, 64);
     CHECK((small.workers == 1 && small.tile_sets == 1 && small.tiles.size() == 1));
-    RenderOptions certified, large, narrow;
-    certified.accuracy = Accuracy::certified;
-    CHECK(plan_of(1920, 1080, {}, certified).workers == 1);
+    RenderOptions large, narrow;
     large.tile = 1 << 20;  // two tiles
     CHECK(plan_of(1920, 1080, {}, large).workers == 1);
     large.tile = 1 << 17;

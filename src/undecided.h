@@ -1,0 +1,40 @@
+// The rays that rounding may have decided: a bit each, 32 a word, in block order, tile after tile.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "device_memory.h"
+#include "plan.h"
+
+namespace gnomon {
+
+/// On the device.
+class UndecidedRays {
+  public:
+    /// For the rays of so many blocks; not cleared.
+    UndecidedRays(const DeviceMemory& memory, int blocks);
+
+    /// Sets none.
+    void clear(const cl::CommandQueue& queue, cl::Event* done) const;
+    /// As `words` once what the queue holds has ended; does not wait for that.
+    void read(const cl::CommandQueue& queue, std::vector<uint32_t>& words) const;
+
+    const cl::Buffer& words() const { return words_; }
+    static int first_word(int first_block) { return first_block * words_of_block; }
+
+  private:
+    static constexpr int words_of_block = BLOCK_RAYS / 32;
+
+    size_t bytes_;
+    cl::Buffer words_;
+};
+
+/// The rays that are set, in order.
+std::vector<int> undecided_rays(const std::vector<uint32_t>& words);
+/// Their pixels, as places in the image row by row, of rays that the tiles have one after the other. Pixels outside the
+/// image are decided.
+std::vector<int> undecided_pixels(const std::vector<uint32_t>& words, const std::vector<Tile>& tiles,
+                                  const ImageSize& image);
+
+}  // namespace gnomon
