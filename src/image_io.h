@@ -1,4 +1,4 @@
-// Films to image files. Only its .cpp and that of image_read.h name OpenImageIO.
+// Films to image files.
 #pragma once
 
 #include <string>

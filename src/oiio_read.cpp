@@ -1,6 +1,4 @@
 // EXR files to films, through OpenImageIO 2.4 or 2.5.
-#include "image_read.h"
-
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 
 #include "channels.h"
 #include "error.h"
+#include "oiio.h"
 
 namespace gnomon {
 
@@ -132,7 +131,7 @@ void read_planes(Input& in, const std::vector<Target>& targets) {
 
 }  // namespace
 
-PictureFile read_exr(const std::string& path) {
+PictureFile read_exr_through_oiio(const std::string& path) {
     Input in(path);
     const ImageSpec& spec = in.spec();
     PictureFile picture;
