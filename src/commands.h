@@ -9,6 +9,7 @@
 #include "image_io.h"
 #include "render.h"
 #include "report/report_command.h"
+#include "verify/verify_command.h"
 
 namespace gnomon {
 

@@ -26,6 +26,7 @@ int main(int argc, char** argv) try {
     gnomon::DevicesCommand devices(app);
     gnomon::DiffCommand diff(app);
     gnomon::ReportCommand report(app);
+    gnomon::VerifyCommand verify(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -35,8 +36,9 @@ int main(int argc, char** argv) try {
     if (devices.chosen()) return devices.run();
     if (diff.chosen()) return diff.run();
     if (report.chosen()) return report.run();
+    if (verify.chosen()) return verify.run();
     fmt::print(stderr, "{}", app.help());
-    return fail("a subcommand is required: render, devices, diff or report", 2);
+    return fail("a subcommand is required: render, devices, diff, report or verify", 2);
 } catch (const gnomon::Error& error) {
     return fail(error.what(), error.exit_code());
 } catch (const std::bad_alloc&) {

@@ -1,17 +1,14 @@
 #include "report_command.h"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <ctime>
 
 #include "error.h"
 #include "gnuplot.h"
 #include "measure.h"
 #include "plots.h"
+#include "progress_line.h"
 #include "report_html.h"
 #include "report_json.h"
 #include "scene_io.h"
@@ -30,43 +27,14 @@ std::string date() {
     return text;
 }
 
-/// What is under way, in one line that is written over, if somebody looks.
-void say(const std::string& what) {
-    if (isatty(STDERR_FILENO) == 0) return;
-    fmt::print(stderr, "\r\033[K{}", what);
-    std::fflush(stderr);
-}
-
 }  // namespace
 
 ReportCommand::ReportCommand(CLI::App& app) {
     command_ = app.add_subcommand("report", "Measure speed and error together; write report.json and report.html.");
     command_->add_option("SCENE", scenes_, "scene files, JSON (default: the examples and a ground with 99 spheres)");
-    CLI::Option* device =
-        command_
-            ->add_option("--device", devices_,
-                         "P:D as clinfo -l numbers them, cpu, gpu, accel, or part of a name (Env:GNOMON_DEVICE)")
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    command_->add_flag("--all-devices", all_devices_, "every device that there is")->excludes(device);
+    devices_.emplace(*command_);
     command_->add_option("-o,--output", folder_, "folder for both files (default: this one)")->type_name("DIR");
     command_->add_flag("--quick", quick_, "small samples, few repetitions");
-}
-
-std::vector<DeviceInfo> ReportCommand::chosen_devices() const {
-    const std::vector<DeviceInfo> all = list_devices();
-    if (all_devices_) return all;
-    if (devices_.empty()) {  // asked for here, since --all-devices goes with the variable but not with --device
-        const char* preset = std::getenv("GNOMON_DEVICE");
-        return {choose_device(all, preset ? preset : "")};
-    }
-    std::vector<DeviceInfo> chosen;
-    for (const std::string& request : devices_) {
-        const DeviceInfo& device = choose_device(all, request);
-        const auto same = [&](const DeviceInfo& d) { return d.number() == device.number(); };
-        if (std::none_of(chosen.begin(), chosen.end(), same)) chosen.push_back(device);
-    }
-    return chosen;
 }
 
 std::vector<report::NamedScene> ReportCommand::chosen_scenes() const {
@@ -82,19 +50,19 @@ std::vector<report::NamedScene> ReportCommand::chosen_scenes() const {
 
 report::Report ReportCommand::measured() const {
     const std::vector<report::NamedScene> scenes = chosen_scenes();
-    const std::vector<DeviceInfo> devices = chosen_devices();
+    const std::vector<DeviceInfo> devices = devices_->chosen();
     report::Report made{date(), quick_, {}, ""};
     if (!report::has_gnuplot())
         made.plots = "There are no plots: gnuplot is missing (Debian: apt install gnuplot-nox).";
     const report::Effort effort = quick_ ? report::quick_effort() : report::Effort{};
-    say("what is exact");
+    say_progress("what is exact");
     const report::Exam exam = report::make_exam(effort);
     for (const DeviceInfo& device : devices) {
-        made.devices.push_back(report::measure(device, exam, scenes, effort, say));
-        say("plots");
+        made.devices.push_back(report::measure(device, exam, scenes, effort, say_progress));
+        say_progress("plots");
         if (made.plots.empty()) made.devices.back().figures = report::figures(made.devices.back());
     }
-    say("");
+    say_progress("");
     return made;
 }
 

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "device.h"
+#include "device_options.h"
 #include "report.h"
 
 namespace gnomon {
@@ -19,14 +20,14 @@ class ReportCommand {
     int run() const;
 
   private:
-    std::vector<DeviceInfo> chosen_devices() const;
     std::vector<report::NamedScene> chosen_scenes() const;
     report::Report measured() const;
 
     CLI::App* command_;
-    std::vector<std::string> scenes_, devices_;
+    std::optional<DeviceOptions> devices_;
+    std::vector<std::string> scenes_;
     std::string folder_ = ".";
-    bool all_devices_ = false, quick_ = false;
+    bool quick_ = false;
 };
 
 }  // namespace gnomon
