@@ -19,15 +19,11 @@
 #define POWER_ROUNDING 0x1p-50
 #define EYE_TURN (32 * ROUNDING)
 #define STEEPEST 0x1p12
-#define MOST_STEEP INFINITY
-#define FIRST_STEEP 0
 #else
 #define ROUNDING 0x1p-24f
 #define POWER_ROUNDING 0x1p-42f
 #define EYE_TURN (5 * ROUNDING)
 #define STEEPEST 0x1p7f
-#define MOST_STEEP (160 * ROUNDING)
-#define FIRST_STEEP MOST_STEEP
 #endif
 
 // t is off by less than this, in parts of itself, wherever anything is said of it.
@@ -43,11 +39,16 @@ typedef struct {
 // At least |f|, and no more than sqrt(3) times as much.
 static inline real distance_of(PencilSphere s) { return fabs(s.center.x) + fabs(s.center.y) + fabs(s.center.z); }
 
+// Where D is in doubt it is off by this times the shift, and by roundings.
+static inline real discriminant_slope(PencilSphere s, real radius, real shift) {
+    return (looks_small(s) ? 2 : 3) * radius + 3 * shift;
+}
+
 // `turn` is how far a ray may be turned (radians), `base` how far the centre is off before it was rounded.
 static inline Doubt doubt_of(PencilSphere s, real turn, real base) {
     const real distance = distance_of(s), radius = sqrt(s.r2);
     const real shift = distance * (turn + 12 * ROUNDING) + 4 * base;
-    return (Doubt){shift, (3 * radius + 3 * shift) * shift + 12 * ROUNDING * s.r2, radius, distance};
+    return (Doubt){shift, discriminant_slope(s, radius, shift) * shift + 12 * ROUNDING * s.r2, radius, distance};
 }
 
 // What C is off by beside 4 u of itself.
@@ -59,12 +60,18 @@ static inline int surely_outside(PencilSphere s, real power_off) { return s.powe
 static inline int surely_inside(PencilSphere s, real power_off) { return -s.power > 2 * power_off; }
 
 // What may be said of a sphere's roots. With x = r / sqrt(D), 1 / the cosine between ray and normal, t is off by no
-// more than (FIXED + steep x) t, and FIXED <= steep.
+// more than steep (1 + x) t.
 typedef struct {
     real steep;
     real plain;  // where D is above, the ray surely meets the sphere, and t is known so
     real back;   // elsewhere it is not met before the foot of the centre less this
 } RootDoubt;
+
+// Floats take no sphere for plain that is steeper than most are: the numbers of a hit's own sphere need not be kept.
+#if !REAL_IS_DOUBLE
+#define STEEP_SMALL (64 * ROUNDING)
+#define STEEP_LARGE (160 * ROUNDING)
+#endif
 
 // `off` is the power's doubt.
 static inline RootDoubt root_doubt(PencilSphere s, Doubt doubt, real off) {
@@ -72,8 +79,12 @@ static inline RootDoubt root_doubt(PencilSphere s, Doubt doubt, real off) {
     const real steep = (looks_small(s) ? 58 : 120) * ROUNDING + 5 * off / fabs(s.power);
     const real least = MORE((real)(1 / STEEPEST), steep * (2 / MOST_OFF));
     const real farthest = outside ? doubt.distance : doubt.distance + doubt.radius;
-    const int known = least <= 1 && steep <= MOST_STEEP;
-    const real plain = known ? MORE(least * least * s.r2, 5 * steep * farthest * doubt.radius) : INFINITY;
+#if REAL_IS_DOUBLE
+    const int known = least <= 1;
+#else
+    const int known = least <= 1 && steep <= (looks_small(s) ? STEEP_SMALL : STEEP_LARGE);
+#endif
+    const real plain = known ? MORE(least * least * s.r2, 10 * steep * farthest * doubt.radius) : INFINITY;
     return (RootDoubt){steep, plain, outside && known ? 1.5f * sqrt(plain) : INFINITY};
 }
 

@@ -76,7 +76,7 @@ static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hi
 #if REAL_IS_DOUBLE
     bounds->steep = off.plain < INFINITY ? MORE(bounds->steep, off.steep) : bounds->steep;  // else it is nobody's hit
 #endif
-    const real kept = 1 - LESS(1.0625f * STEEPEST * bounds->steep, MOST_OFF);
+    const real kept = 1 - LESS(1.0625f * STEEPEST * bounds->steep, MOST_OFF);  // of t, at least
     FOR_PACKETS(k) {
         const realw t = sphere_root(s, b[k], discriminant[k]);
         const wholew plain = near[k] & (discriminant[k] > off.plain), closer = plain & (t < hit[k].t);
@@ -154,12 +154,23 @@ static inline vec3w outward_normal(Hit hit, vec3w dir, realw* inverse) {
 }
 
 #if CERTIFIED
+// That of the sphere that is hit: in floats the most that it can be, of all that look small, or large, to within
+// roundings, as it does here.
+static inline realw steepness(Hit hit, const Bounds* bounds, realw inverse) {
+#if REAL_IS_DOUBLE
+    return wide(bounds->steep);
+#else
+    return dot_w(hit.center, hit.center) * inverse * inverse > 2.125f ? wide(STEEP_SMALL) : wide(STEEP_LARGE);
+#endif
+}
+
 // How far the position of a hit may be off; infinitely where its ray is undecided. By t's doubt along the ray and, the
 // ray's turn and two roundings, by 8 u t across it; 12 u t more is what a light's pencil rounds (parallel_pencil.h).
-static inline realw position_doubt(Hit hit, const Bounds* bounds, int k, vec3w dir, vec3w normal, real base) {
+static inline realw position_doubt(Hit hit, const Bounds* bounds, int k, vec3w dir, vec3w normal, realw inverse,
+                                   real base) {
     const wholew hits = hit.id >= 0;
     const realw cosine = fabs(dot_w(dir, normal));
-    const realw off = hit.t * fma(wide(1.5f * bounds->steep), divide(wide(1.0f), cosine), wide(bounds->steep));
+    const realw off = hit.t * steepness(hit, bounds, inverse) * fma(wide(1.3f), divide(wide(1.0f), cosine), wide(1.0f));
     const wholew sure = hits ? bounds->other[k] > hit.t + off : bounds->other[k] == INFINITY;
     const realw position = hits ? fma(wide(20 * ROUNDING), hit.t, off + base) : wide(0.0f);
     return sure ? position : wide(INFINITY);
@@ -179,7 +190,12 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
     vec3w dir[PACKETS];
     Hit hit[PACKETS];
     Bounds bounds;
-    bounds.steep = FIRST_STEEP;
+#if REAL_IS_DOUBLE
+    bounds.steep = 0;
+#else
+    bounds.steep = STEEP_LARGE;
+#endif
+
     wholew valid[PACKETS];
 #if RAYS == RAYS_GENERATED
     // Most work-items that meet nothing are known before their rays are.
@@ -236,7 +252,7 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
         realw inverse;
         vec3w normal = outward_normal(hit[k], dir[k], &inverse);
 #if CERTIFIED
-        const realw off = position_doubt(hit[k], &bounds, k, dir[k], normal, base);
+        const realw off = position_doubt(hit[k], &bounds, k, dir[k], normal, inverse, base);
         store_r(off, doubts, item, k);
         open |= bits_of_packet(valid[k] & (off == INFINITY), k);
         curved = MORE(curved, floats_of(hit[k].id >= 0 ? inverse : wide(0.0f)));

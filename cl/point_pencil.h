@@ -111,7 +111,7 @@ static inline Edge edge_of(PencilSphere s, RayDoubt doubt, real base) {
             ? 3 * fma(3 * (of.radius + shift), shift, 12 * ROUNDING * s.r2)
             : fma(2 * of.radius + 3 * doubt.length, doubt.length, power_off) + 9 * shift * shift +
                   ROUNDING * fma(doubt.farthest, fma((real)26, of.distance, 4 * doubt.farthest), 8 * fabs(s.power));
-    const real slope = 3 * (of.radius + of.shift), own = fma(12 * ROUNDING, of.distance, 4 * centre);
+    const real slope = discriminant_slope(s, of.radius, of.shift), own = fma(12 * ROUNDING, of.distance, 4 * centre);
     return (Edge){fma(slope, own, 12 * ROUNDING * s.r2), slope * of.distance,        near, of.shift,
                   surely_outside(s, power_off),          surely_inside(s, power_off)};
 }
