@@ -1,4 +1,5 @@
-// Which of the hard scenes (tests/hard) `gnomon verify` renders: its files in src/verify/scenes were written from these.
+// Which of the hard scenes (tests/hard) `gnomon verify` renders: its files in src/verify/scenes were written from
+// these.
 #pragma once
 
 #include <string>
