@@ -25,6 +25,8 @@
 #ifndef GNOMON_REACH_H
 #define GNOMON_REACH_H
 
+#include "real.h"
+
 static inline float16 reach_of(float16 radius, float16 distance) {
     return fma(distance > radius ? distance : radius, (float16)(0x1p-18f), radius);
 }

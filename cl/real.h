@@ -13,6 +13,7 @@
     struct name##Of
 #define OF_REALS(name) name##Of<real>
 #else
+#include "builtins.h"
 #define STRUCT_OF_REALS(name) \
     typedef struct name name; \
     struct name

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "binary_cache.h"
 #include "opencl.h"
 #include "plan.h"
 
@@ -15,6 +18,7 @@ struct BuiltKernel {
     cl::Kernel kernel;
     std::string options;
     double build_seconds = 0;
+    bool from_cache = false;  ///< a binary of an earlier run was used
 };
 
 /// The kernels of one device. Not for use by several threads at once.
@@ -29,14 +33,22 @@ class Programs {
 
     bool has(const Variant& variant) const { return built_.count(key(variant)) > 0; }
 
+    /// What the user should know of binaries that could not be used or kept; each is told once.
+    std::vector<std::string> take_warnings() { return std::exchange(warnings_, {}); }
+
   private:
     std::string options(const Variant& variant) const;
     std::string key(const Variant& variant) const;  // kernel and options, as the compiler sees them
+    std::string cache_key(const std::string& source, const std::string& options) const;
+    std::optional<cl::Program> from_cache(const std::string& cache_key, const std::string& options);
+    cl::Program from_source(const std::string& name, const std::string& source, const std::string& options) const;
+    void keep(const std::string& cache_key, const cl::Program& program);
 
     cl::Context context_;
     std::vector<cl::Device> devices_;
-    std::string device_name_;
-    bool correctly_rounded_;
+    DeviceInfo info_;
+    std::optional<BinaryCache> cache_;
+    std::vector<std::string> warnings_;
     std::string common_options_;
     std::map<std::string, BuiltKernel> built_;
 };

@@ -119,7 +119,7 @@ struct Renderer::State {
             const BuiltKernel& built = programs.get(variant);
             kernels.push_back(built.kernel);
             stats.kernels.push_back(
-                {to_string(variant.kernel), built.options, known ? 0 : built.build_seconds, 0, 0, 0});
+                {to_string(variant.kernel), built.options, known ? 0 : built.build_seconds, built.from_cache, 0, 0, 0});
         }
         return kernels;
     }
@@ -243,6 +243,7 @@ RenderStats Renderer::render(const Scene& scene, const RenderOptions& options, F
     state_->memory.expect(plan.memory.peak_bytes, plan.memory.cut);
     state_->run({scene, spheres, frame, plan, options}, kernels, film, stats);
     stats.peak_bytes = state_->memory.peak();
+    stats.warnings = state_->programs.take_warnings();
     if (plan.memory.cut) still.reset();
     if (frame.unit != 1)
         for (float& distance : film.distance) distance = static_cast<float>(distance * frame.unit);

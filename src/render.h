@@ -32,6 +32,7 @@ struct KernelStats {
     std::string kernel;   ///< its name
     std::string options;  ///< how it was built, -D and all
     double build_seconds = 0;
+    bool from_cache = false;  ///< what an earlier run had built was used
     int launches = 0;
     double seconds = 0;
     int64_t rays = 0;  ///< pixels for the eye's kernels; hits, once for each light, for the lights'
@@ -52,6 +53,7 @@ struct RenderStats {
     int64_t undecided = 0;  ///< pixels that rounding may have decided, and that were decided again
     int64_t decided_exactly = 0;
     double decide_seconds = 0;
+    std::vector<std::string> warnings;  ///< what to tell the user
 
     /// Eye rays, and one shadow ray for each hit and light when shadows are on.
     int64_t rays = 0;

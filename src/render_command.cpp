@@ -150,6 +150,7 @@ int RenderCommand::run() {
         options_.progress = std::ref(progress);
         stats.render = renderer->render(scene, options_, film);
     }
+    for (const std::string& warning : stats.render.warnings) fmt::print(stderr, "gnomon: warning: {}\n", warning);
     renderer.reset();  // and what it holds of the device's memory
     const Metadata metadata = metadata_of(scene, device, stats.render, options_.shadows);
     stats.write_seconds = timed([&] {

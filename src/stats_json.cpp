@@ -18,6 +18,7 @@ Json to_json(const KernelStats& k) {
     return {{"kernel", k.kernel},
             {"options", k.options},
             {"build_seconds", k.build_seconds},
+            {"from_cache", k.from_cache},
             {"launches", k.launches},
             {"seconds", k.seconds},
             {"rays", k.rays},

@@ -55,7 +55,8 @@ inline std::string quoted(const std::string& path) { return "'" + path + "'"; }
 
 /// Variables of the surroundings that would change what the program does are taken away first.
 inline const char* clean_environment =
-    "env -u GNOMON_DEVICE -u GNOMON_CL_DIR -u OCL_ICD_VENDORS -u OCL_ICD_FILENAMES -u SOURCE_DATE_EPOCH ";
+    "env -u GNOMON_DEVICE -u GNOMON_CL_DIR -u GNOMON_CACHE_DIR -u OCL_ICD_VENDORS -u OCL_ICD_FILENAMES -u "
+    "SOURCE_DATE_EPOCH ";
 
 struct Ran {
     int code;  ///< -1 when a signal ended it

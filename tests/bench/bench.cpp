@@ -39,7 +39,7 @@ void add_scene_options(CLI::App& app, Options& o) {
     app.add_option("--file", o.files, "these scene files")->type_name("SCENE.json")->expected(1, -1);
     app.add_flag("--adversaries", o.adversaries, "scenes made to be slow, beside a benign one of as many spheres");
     app.add_option("--count", o.count, "spheres of an adversary")->check(CLI::Range(int64_t{1000}, int64_t{1} << 30));
-    app.add_flag("--process", o.process, "the whole program on S4 and S100");
+    app.add_flag("--process", o.process, "the whole program on an example, S4 and S100");
 }
 
 void add_options(CLI::App& app, Options& o) {
@@ -124,12 +124,15 @@ class Bench {
 
     void run_processes() {
         report_["processes"] = Json::array();
-        for (const bench::NamedScene& named : bench::scenes()) {
-            if (named.name != "S4" && named.name != "S100") continue;
-            const auto times = bench::time_process(named.name, named.make(), device_.number(), options_.measure.runs);
-            bench::print_process(times);
-            report_["processes"].push_back(bench::to_json(times));
-        }
+        run_process("directional", load_scene(GNOMON_SOURCE_DIR "/examples/directional.json").scene);
+        for (const bench::NamedScene& named : bench::scenes())
+            if (named.name == "S4" || named.name == "S100") run_process(named.name, named.make());
+    }
+
+    void run_process(const std::string& name, const Scene& scene) {
+        const auto times = bench::time_process(name, scene, device_.number(), options_.measure.runs);
+        bench::print_process(times);
+        report_["processes"].push_back(bench::to_json(times));
     }
 
     const DeviceInfo& device_;

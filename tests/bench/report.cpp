@@ -87,7 +87,10 @@ Json to_json(const SceneTimes& times) {
 }
 
 Json to_json(const ProcessTimes& times) {
-    return {{"scene", times.name}, {"wall_seconds", to_json(times.wall)}, {"stats", times.stats}};
+    return {{"scene", times.name},
+            {"first_seconds", to_json(times.first)},
+            {"wall_seconds", to_json(times.wall)},
+            {"stats", times.stats}};
 }
 
 Json circumstances(const DeviceInfo& device, int cores, const std::string& peer) {
