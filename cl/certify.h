@@ -41,7 +41,7 @@ static inline real distance_of(PencilSphere s) { return fabs(s.center.x) + fabs(
 
 // Where D is in doubt it is off by this times the shift, and by roundings.
 static inline real discriminant_slope(PencilSphere s, real radius, real shift) {
-    return (looks_small(s) ? 2 : 3) * radius + 3 * shift;
+    return (is_apart(s) ? 2 : 3) * radius + 3 * shift;
 }
 
 // `turn` is how far a ray may be turned (radians), `base` how far the centre is off before it was rounded.
@@ -70,19 +70,20 @@ typedef struct {
 // Floats take no sphere for plain that is steeper than most are: the numbers of a hit's own sphere need not be kept.
 #if !REAL_IS_DOUBLE
 #define STEEP_SMALL (64 * ROUNDING)
-#define STEEP_LARGE (160 * ROUNDING)
+#define STEEP_LARGE (138 * ROUNDING)
 #endif
 
 // `off` is the power's doubt.
 static inline RootDoubt root_doubt(PencilSphere s, Doubt doubt, real off) {
     const int outside = surely_outside(s, off);
-    const real steep = (looks_small(s) ? 58 : 120) * ROUNDING + 5 * off / fabs(s.power);
+    const int small = looks_small(s);
+    const real steep = (small ? 58 : 98) * ROUNDING + 5 * off / fabs(s.power);
     const real least = MORE((real)(1 / STEEPEST), steep * (2 / MOST_OFF));
     const real farthest = outside ? doubt.distance : doubt.distance + doubt.radius;
 #if REAL_IS_DOUBLE
     const int known = least <= 1;
 #else
-    const int known = least <= 1 && steep <= (looks_small(s) ? STEEP_SMALL : STEEP_LARGE);
+    const int known = least <= 1 && steep <= (small ? STEEP_SMALL : STEEP_LARGE);
 #endif
     const real plain = known ? MORE(least * least * s.r2, 10 * steep * farthest * doubt.radius) : INFINITY;
     return (RootDoubt){steep, plain, outside && known ? 1.5f * sqrt(plain) : INFINITY};

@@ -4,8 +4,7 @@
 #ifndef GNOMON_FORMULAS_H
 #define GNOMON_FORMULAS_H
 
-#include "sphere.h"
-#include "twofold.h"
+#include "grazing.h"
 
 // A miss has t = +inf and the normal (inf, inf, inf).
 typedef struct {
@@ -53,14 +52,19 @@ static inline Root intersect_perpendicular(RootSphere s, vec3w dir) {
     return with_normal(s, dir, first_root(discriminant >= 0.0f, near, far));
 }
 
-// What every picture is made with: sphere.h itself.
+// What every picture is made with: sphere.h, and grazing.h.
 static inline Root intersect_pencil(RootSphere s, vec3w dir) {
     const PencilSphere sphere = {
         .center = {s.center.x, s.center.y, s.center.z}, .r2 = s.radius * s.radius, .power = s.power};
     const realw b = dot_r(s.center, dir), discriminant = sphere_discriminant(sphere, dir, b);
+    const real edge = grazing_edge(sphere);
+    const wholew meets = may_meet(sphere, b, discriminant, edge), grazes = meets & is_grazing(discriminant, edge);
     const realw t = sphere_root(sphere, b, discriminant);
-    const wholew meets = sphere_meets(sphere, b, discriminant) & (t > 0.0f);
-    return with_normal(s, dir, meets ? t : wide(INFINITY));
+    if (!any_lane(grazes)) return with_normal(s, dir, (meets & (t > 0.0f)) ? t : wide(INFINITY));
+    realw exact;
+    const realw compensated = compensated_root(sphere, rests_of(sphere), dir, &exact);
+    const wholew hits = grazes ? (exact >= 0.0f) & (compensated > 0.0f) : meets & (t > 0.0f);
+    return with_normal(s, dir, hits ? (grazes ? compensated : t) : wide(INFINITY));
 }
 
 // The perpendicular formula with a, b, C, the vector across and the discriminant to twice float's precision

@@ -11,6 +11,7 @@
 #include "certify.h"
 #include "eye_pencil.h"
 #include "fat_ray.h"
+#include "grazing.h"
 #include "ray_buffers.h"
 #include "sphere.h"
 
@@ -106,28 +107,59 @@ static inline int may_be_closer(wholew meets, realw b, float reach, Hit hit) {
 #endif
 }
 
+// Of equal distances the lowest id's.
+static inline void keep_closer(PencilSphere s, wholew meets, realw t, Hit* hit) {
+    const wholew closer = meets & (t > 0.0f) & ((t < hit->t) | ((t == hit->t) & (hit->id > s.id)));
+    hit->t = closer ? t : hit->t;
+    hit->id = closer ? (wholew)(s.id) : hit->id;
+    hit->center = select_w(closer, broadcast(s.center), hit->center);
+}
+
+// The rays that may graze the sphere, as `intersect` leaves them. They are few, and this works on copies, so that
+// everything else stays in registers.
+static inline int intersect_grazed(PencilSphere s, const vec3w* dir, Hit* hit) {
+    vec3w dirs[PACKETS];
+    Hit hits[PACKETS];
+    FOR_PACKETS(k) {
+        dirs[k] = dir[k];
+        hits[k] = hit[k];
+    }
+    const SphereRests rests = rests_of(s);
+    const real edge = grazing_edge(s);
+    ONE_PACKET_AT_A_TIME(k) {
+        const realw b = dot_r(s.center, dirs[k]);
+        realw discriminant = sphere_discriminant(s, dirs[k], b);
+        const wholew grazes = may_meet(s, b, discriminant, edge) & is_grazing(discriminant, edge);
+        if (!any_lane(grazes) || !may_be_closer(grazes, b, s.reach, hits[k])) continue;
+        const realw t = compensated_root(s, rests, dirs[k], &discriminant);
+        keep_closer(s, grazes & (discriminant >= 0.0f), t, hits + k);
+    }
+    FOR_PACKETS(k) hit[k] = hits[k];
+    return 1;
+}
+
 // 0 when no ray can have a closer hit now than before.
 static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Bounds* bounds) {
     realw b[PACKETS], discriminant[PACKETS];
-    wholew meets[PACKETS], any = 0;
+    wholew meets[PACKETS], any = 0, any_grazes = 0;
+    const real edge = grazing_edge(s);
     FOR_PACKETS(k) {
         b[k] = dot_r(s.center, dir[k]);
         discriminant[k] = sphere_discriminant(s, dir[k], b[k]);
-        meets[k] = sphere_meets(s, b[k], discriminant[k]);
+        meets[k] = may_meet(s, b[k], discriminant[k], edge);
         any |= meets[k];
     }
     if (!any_lane(any)) return 0;
     int any_closer = 0;
     FOR_PACKETS(k) {
+        const wholew grazes = meets[k] & is_grazing(discriminant[k], edge);
+        any_grazes |= grazes;
+        meets[k] &= !grazes;
         if (!may_be_closer(meets[k], b[k], s.reach, hit[k])) continue;
         any_closer = 1;
-        const realw t = sphere_root(s, b[k], discriminant[k]);
-        // Of equal distances the lowest id's.
-        const wholew closer = meets[k] & (t > 0.0f) & ((t < hit[k].t) | ((t == hit[k].t) & (hit[k].id > s.id)));
-        hit[k].t = closer ? t : hit[k].t;
-        hit[k].id = closer ? (wholew)(s.id) : hit[k].id;
-        hit[k].center = select_w(closer, broadcast(s.center), hit[k].center);
+        keep_closer(s, meets[k], sphere_root(s, b[k], discriminant[k]), hit + k);
     }
+    if (UNLIKELY(any_lane(any_grazes))) any_closer |= intersect_grazed(s, dir, hit);
     return any_closer;
 }
 

@@ -61,6 +61,7 @@ typedef CONCAT(WHOLE, LANES) wholew;
 #define wide(x) ((realw)(x))
 #define wide_float(x) ((floatw)(x))
 #define FOR_PACKETS(k) _Pragma("unroll") for (int k = 0; k < PACKETS; ++k)
+#define ONE_PACKET_AT_A_TIME(k) _Pragma("unroll 1") for (int k = 0; k < PACKETS; ++k)  // less code, but in memory
 
 // Between the two pairs of types.
 #if REAL_IS_DOUBLE
@@ -110,6 +111,13 @@ static inline int any_lane(wholew mask) { return __builtin_reduce_or(mask) != 0;
 #else
 static inline int any_lane(wholew mask) { return REDUCE(or, ints_of(mask)); }
 #endif
+#endif
+
+// A condition that hardly ever holds.
+#if CLANG_TO_MACHINE
+#define UNLIKELY(condition) __builtin_expect((condition) != 0, 0)
+#else
+#define UNLIKELY(condition) (condition)
 #endif
 
 // The position of the lowest bit set.

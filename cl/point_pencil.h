@@ -46,8 +46,7 @@ static inline realw arriving(LightPencil light, vec3w position, vec3w normal) {
 static inline wholew occludes(PencilSphere s, ShadowRay ray) {
     const realw b = dot_r(s.center, ray.dir), beyond = b - ray.distance;
     const realw discriminant = sphere_discriminant(s, ray.dir, b);
-    if (looks_small(s))
-        return (discriminant >= 0.0f) & (b > 0.0f) & ((beyond < 0.0f) | (beyond * beyond < discriminant));
+    if (is_apart(s)) return (discriminant >= 0.0f) & (b > 0.0f) & ((beyond < 0.0f) | (beyond * beyond < discriminant));
     // The receiver's power |d dir - f|^2 - r^2 = C - d (2 b - d).
     const realw power = fma(-ray.distance, b + beyond, wide(s.power));
     const wholew outside = (b > 0.0f) & ((power < 0.0f) | ((beyond < 0.0f) & (discriminant >= 0.0f)));
@@ -106,11 +105,10 @@ static inline Edge edge_of(PencilSphere s, RayDoubt doubt, real base) {
     const real power_off = power_doubt(s, of, centre), shift = fma((real)2, doubt.length, of.shift);
     // Next to the surface the foot is no farther from the receiver than the radius; the power of the receiver seen from
     // a large sphere is off by what that is, times the diameter, and by roundings: 9 u |f| of b, 4 u of each term.
-    const real near =
-        looks_small(s)
-            ? 3 * fma(3 * (of.radius + shift), shift, 12 * ROUNDING * s.r2)
-            : fma(2 * of.radius + 3 * doubt.length, doubt.length, power_off) + 9 * shift * shift +
-                  ROUNDING * fma(doubt.farthest, fma((real)26, of.distance, 4 * doubt.farthest), 8 * fabs(s.power));
+    const real near = is_apart(s) ? 3 * fma(3 * (of.radius + shift), shift, 12 * ROUNDING * s.r2)
+                                  : fma(2 * of.radius + 3 * doubt.length, doubt.length, power_off) + 9 * shift * shift +
+                                        ROUNDING * fma(doubt.farthest, fma((real)26, of.distance, 4 * doubt.farthest),
+                                                       8 * fabs(s.power));
     const real slope = discriminant_slope(s, of.radius, of.shift), own = fma(12 * ROUNDING, of.distance, 4 * centre);
     return (Edge){fma(slope, own, 12 * ROUNDING * s.r2), slope * of.distance,        near, of.shift,
                   surely_outside(s, power_off),          surely_inside(s, power_off)};
@@ -123,8 +121,7 @@ static inline void judge_occlusion(PencilSphere s, ShadowRay ray, Edge edge, who
     const realw b = dot_r(s.center, ray.dir), before = ray.distance - b;
     const realw discriminant = sphere_discriminant(s, ray.dir, b);
     const realw off = fma(ray.off, wide(edge.slope), wide(edge.fixed));
-    const realw power =
-        looks_small(s) ? fma(before, before, -discriminant) : fma(ray.distance, before - b, wide(s.power));
+    const realw power = is_apart(s) ? fma(before, before, -discriminant) : fma(ray.distance, before - b, wide(s.power));
     if (edge.outside) {
         const realw nearer = fma(before, before + fabs(before), -power);
         *closes = (discriminant > off) & (b > edge.ahead) & (nearer > edge.before);

@@ -4,14 +4,14 @@
 // the roots are b -+ sqrt(D) with D = b^2 - C, and their product is C.
 //
 // D is a difference of nearly equal numbers in two situations, and no formula serves both:
-//   the sphere looks small (r^2 < |f|^2 / 2): b^2 and C are both about |f|^2, and their difference loses (|f| / r)^2
-//   ulp.
+//   the apex is far from the surface: b^2 and C are both about |f|^2, and their difference loses (|f| / r)^2 ulp.
 //     D = r^2 - |f - b dir|^2 subtracts the squared distance of the centre from the line instead (Hearn and Baker;
 //     Haines, Gunther and Akenine-Moller, "Precision improvements for ray/sphere intersection", Ray Tracing Gems, 2019,
-//     ch. 7).
-//   the sphere looks large: |f - b dir| is then a difference of two numbers near r. C, rounded once from its exact
-//   value,
-//     carries the distance to the surface, and b^2 - C loses nothing.
+//     ch. 7), in which an error of b counts in the second order only.
+//   the apex is near the surface: |f - b dir| is then a difference of two numbers near r. C, rounded once from its
+//   exact
+//     value, carries the distance to the surface, and b^2 - C loses nothing.
+// Of t, whose error is mostly that of b, the first is the better until r^2 is 4/5 |f|^2 (is_apart).
 #ifndef GNOMON_SPHERE_H
 #define GNOMON_SPHERE_H
 
@@ -19,14 +19,15 @@
 #include "ieee.h"
 
 static inline realw sphere_discriminant(PencilSphere s, vec3w dir, realw b) {
-    if (!looks_small(s)) return fma(b, b, wide(-s.power));
+    if (!is_apart(s)) return fma(b, b, wide(-s.power));
     const vec3w across = fma_w(-b, dir, broadcast(s.center));  // from the line to the centre, shortest way
     return fma(-across.x, across.x, fma(-across.y, across.y, fma(-across.z, across.z, wide(s.r2))));
 }
 
-// Whether the line meets the sphere anywhere at t > 0: seen from outside the centre must lie ahead.
-static inline wholew sphere_meets(PencilSphere s, realw b, realw discriminant) {
-    return (discriminant >= 0.0f) & ((b > 0.0f) | (wide(s.power) <= 0.0f));
+// Whether the line meets the sphere anywhere at t > 0, as far as a D tells that may be off by `edge`: seen from outside
+// the centre must lie ahead.
+static inline wholew may_meet(PencilSphere s, realw b, realw discriminant, real edge) {
+    return (discriminant >= wide(-edge)) & ((b > 0.0f) | (wide(s.power) <= 0.0f));
 }
 
 // The smallest root > 0 of a line that meets the sphere. Roots of equal sign are never subtracted: the one of larger

@@ -96,11 +96,11 @@ bool is_miss(const HitsOf<real>& hits, size_t ray) {
 ///
 /// The direction is the rounding of a unit vector: its length is off by u. b: the dot product 3 u |f| (each term
 /// passes at most three roundings, Cauchy-Schwarz), the length u |f|: 4 u |f|.
-/// D, small form: what is wrong with b and the length moves f - b dir along the line only, by 4 + 1 = 5 u |f|, and so
-/// its square by 25 u^2 |f|^2; its own rounding is 2 u m^2, r^2's and three fma's 4 u max(r^2, m^2).
-/// D, large form: 2 b 4 u |f|, C's rounding u |C|, the fma's u |D|.
-/// Root: |sqrt(D + e) - sqrt(D)| <= min(e / sqrt(D), sqrt(e)), and its own rounding u sqrt(D).
-/// q = b +- sqrt(D): both, and u |q|. The other root C / q: relative, q's error and u each for C and the quotient.
+/// D, of spheres apart: what is wrong with b and the length moves f - b dir along the line only, by 4 + 1 = 5 u |f|,
+/// and so its square by 25 u^2 |f|^2; its own rounding is 2 u m^2, r^2's and three fma's 4 u max(r^2, m^2). D, of
+/// others: 2 b 4 u |f|, C's rounding u |C|, the fma's u |D|. Root: |sqrt(D + e) - sqrt(D)| <= min(e / sqrt(D),
+/// sqrt(e)), and its own rounding u sqrt(D). q = b +- sqrt(D): both, and u |q|. The other root C / q: relative, q's
+/// error and u each for C and the quotient.
 struct Doubt {
     double d_error;  ///< of the discriminant
     double t_error;  ///< of the distance that the kernel would choose
@@ -108,8 +108,8 @@ struct Doubt {
 inline Doubt doubt(const Vec3& f, double r, const Vec3& d, double unit = u) {
     const double f2 = dot(f, f), b = dot(f, d), m2 = dot(cross(f, d), cross(f, d)), C = f2 - r * r, D = r * r - m2;
     const double length_f = std::sqrt(f2), root = std::sqrt(std::max(0.0, D));
-    const double e = r * r < f2 / 2 ? 25 * unit * unit * f2 + 2 * unit * m2 + 4 * unit * std::max(r * r, m2)
-                                    : 8 * unit * std::fabs(b) * length_f + unit * std::fabs(C) + unit * std::fabs(D);
+    const double e = r * r < 0.8 * f2 ? 25 * unit * unit * f2 + 2 * unit * m2 + 4 * unit * std::max(r * r, m2)
+                                      : 8 * unit * std::fabs(b) * length_f + unit * std::fabs(C) + unit * std::fabs(D);
     const double root_error = std::min(root > 0 ? e / root : INFINITY, std::sqrt(e)) + unit * root;
     const double q = b > 0 ? b + root : b - root, q_error = 4 * unit * length_f + root_error + unit * std::fabs(q);
     const double t_error =

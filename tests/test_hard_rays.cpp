@@ -138,26 +138,26 @@ void check_ground(Bench& bench, int rays, double recorded_near, double recorded_
 
 }  // namespace
 
-// Wanted: 4 ulp. The worst of two million rays is beyond, with a condition number of 9.3.
+// Wanted: 4 ulp. So it is, of two million rays; docs/accuracy.md says what a search for the worst comes to.
 TEST_CASE("intersect_closest: t is within 4 ulp where it is well conditioned", "[hard]") {
-    on_every_bench([](Bench& bench) { check_well_conditioned(bench, 64, {3.08, 2.35}); });
+    on_every_bench([](Bench& bench) { check_well_conditioned(bench, 64, {2.78, 2.35}); });
 }
 TEST_CASE("intersect_closest: t where it is well conditioned, many spheres", "[.long]") {
-    on_every_bench([](Bench& bench) { check_well_conditioned(bench, 4096, {4.74, 3.07}); });
+    on_every_bench([](Bench& bench) { check_well_conditioned(bench, 4096, {3.82, 3.07}); });
 }
 
-// Wanted: none wrong in a million, toward a disc of 1.5 radii. Of a hundred million 11 are.
+// Wanted: none wrong in a million, toward a disc of 1.5 radii. Of a hundred million none is.
 TEST_CASE("intersect_closest: the unit sphere from ten thousand radii", "[hard]") {
     on_every_bench([](Bench& bench) { check_far_sphere(bench, 100, 10240, 0); });
 }
 TEST_CASE("intersect_closest: the unit sphere from ten thousand radii, a hundred million rays", "[.long]") {
-    on_every_bench([](Bench& bench) { check_far_sphere(bench, 1000, 102400, 11); });
+    on_every_bench([](Bench& bench) { check_far_sphere(bench, 1000, 102400, 0); });
 }
 
-// Wanted: 8 ulp. So it is up to a distance of 50; beyond, to the horizon at 58, rays come in at more than 89.4 degrees.
+// Wanted: 8 ulp, to the horizon at 58.
 TEST_CASE("intersect_closest: ground of radius 1000 from 1.7 above", "[hard]") {
-    on_every_bench([](Bench& bench) { check_ground(bench, 4096, 6.07, 13.8); });
+    on_every_bench([](Bench& bench) { check_ground(bench, 4096, 3.77, 0.499); });
 }
 TEST_CASE("intersect_closest: ground of radius 1000 from 1.7 above, many rays", "[.long]") {
-    on_every_bench([](Bench& bench) { check_ground(bench, 1 << 18, 7.26, 20.7); });
+    on_every_bench([](Bench& bench) { check_ground(bench, 1 << 18, 4.54, 0.5); });
 }

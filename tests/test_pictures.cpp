@@ -25,11 +25,11 @@ struct Bounds {
 ///
 /// b = f . dir is off by 9.5 u |f|: f's rounding 1, the dot product 3, the direction's 3 and its length's 4.5, less
 /// what the first two share. sqrt(D) = r c. |sqrt(D + e) - sqrt(D)| <= e / sqrt(D) for every e, also next to the limb.
-///   Small spheres, r^2 < |f|^2 / 2, D = r^2 - |f - b dir|^2: the vector is off by 5 u |f|, so D by 10 u r |f| + 4 u
-///   r^2 <= 14 u r |f|, its root by 14 u |f| / c. t = C / (b + sqrt(D)), whose divisor is >= b >= |f| / sqrt(2):
-///   relative (9.5 + 14 / c) sqrt(2) u + 3 u < 37 u / c.
-///   Large spheres, |f| <= sqrt(2) r, D = b^2 - C: off by 19 u b |f| + 2 u b^2; the divisor b + sqrt(D) is >= r c and
-///   >= b: relative (9.5 + 19 + 2) u |f| / (r c) + 3 u < 47 u / c.
+///   Spheres apart, r^2 < 4/5 |f|^2, D = r^2 - |f - b dir|^2: the vector is off by 5 u |f|, so D by 10 u r |f| + 4 u
+///   r^2 < 14 u r |f|, its root by 14 u |f| / c. t = C / (b + sqrt(D)), whose divisor is >= b >= sqrt(C) >= |f| /
+///   sqrt(5): relative (9.5 + 14 / c) sqrt(5) u + 3 u < 56 u / c.
+///   Others, |f| <= 1.12 r, D = b^2 - C: off by 19 u b |f| + 2 u b^2; the divisor b + sqrt(D) is >= r c and >= b:
+///   relative (9.5 + 19 + 2) u |f| / (r c) + 3 u < 38 u / c.
 /// Both are below 64 u / c.
 ///
 /// Position p = t dir: off by that, by 3 u t across and u t for the product: < 68 u t / c. Normal (p - f) / |p - f|:

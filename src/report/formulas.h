@@ -16,7 +16,8 @@ struct Formula {
 inline std::vector<Formula> formulas() {
     return {{"textbook", "b^2 - 4 a c in float"},
             {"perpendicular", "r^2 - |f - (f.d) d|^2 in float (Ray Tracing Gems, ch. 7)"},
-            {"pencil", "cl/sphere.h: perpendicular or b^2 - C, with C from the host", false, true},
+            {"pencil", "cl/sphere.h: perpendicular or b^2 - C, with C from the host; compensated where rays graze",
+             false, true},
             {"compensated", "perpendicular, in sums of two floats"},
             {"double", "perpendicular in double, rounded to float", true}};
 }

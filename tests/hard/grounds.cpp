@@ -34,14 +34,14 @@ std::vector<HardCase> grounds() {
     const std::string why = "1.7 is a rounding beside the radius, and light grazes the ground that balls stand on";
     const std::string far = "the roots are nearly equal for all that is near the horizon";
     return {
-        {"ground of radius 1e3", why, {standing(1e3)}, {{0, 0, 0, 2.64, 1.09e-06}, {0, 0, 0, 20.1, 1.31e-05}}},
-        {"ground of radius 1e4", why, {standing(1e4)}, {{0, 0, 0, 3.2, 1.72e-06}, {0, 0, 0, 8.57, 3.8e-06}}},
-        {"ground of radius 1e5", why, {standing(1e5)}, {{0, 0, 0, 3.07, 1.21e-06}, {0, 0, 0, 7.76, 3.66e-06}}},
-        {"ground of radius 1e6", why, {standing(1e6)}, {{0, 0, 0, 3.57, 1.6e-06}, {0, 0, 0, 11.8, 3.08e-06}}},
-        {"ground of radius 1e7", why, {standing(1e7)}, {{0, 0, 0, 3.6, 1.5e-06}, {0, 0, 0, 179, 3.69e-06}}},
-        {"horizon of radius 1e3", far, {horizon(1e3)}, {{0, 0, 0, 70.4, 2.63e-07}, {0, 0, 0, 131, 4.94e-07}}},
-        {"horizon of radius 1e5", far, {horizon(1e5)}, {{0, 0, 0, 9.04, 6.12e-09}, {0, 0, 0, 37.7, 2.32e-08}}},
-        {"horizon of radius 1e7", far, {horizon(1e7)}, {{0, 0, 0, 14.9, 7.61e-10}, {0, 0, 0, 14.9, 7.61e-10}}},
+        {"ground of radius 1e3", why, {standing(1e3)}, {{0, 0, 0, 2.64, 1.09e-06}, {0, 0, 0, 18.1, 1.39e-05}}},
+        {"ground of radius 1e4", why, {standing(1e4)}, {{0, 0, 0, 3.2, 1.72e-06}, {0, 0, 0, 7.22, 3.8e-06}}},
+        {"ground of radius 1e5", why, {standing(1e5)}, {{0, 0, 0, 2.61, 1.21e-06}, {0, 0, 0, 6.76, 3.66e-06}}},
+        {"ground of radius 1e6", why, {standing(1e6)}, {{0, 0, 0, 3.57, 1.6e-06}, {0, 0, 0, 11.2, 3.08e-06}}},
+        {"ground of radius 1e7", why, {standing(1e7)}, {{0, 0, 0, 3.6, 1.5e-06}, {0, 0, 0, 178, 3.69e-06}}},
+        {"horizon of radius 1e3", far, {horizon(1e3)}, {{0, 0, 0, 23.4, 8.06e-08}, {0, 0, 0, 35, 1.25e-07}}},
+        {"horizon of radius 1e5", far, {horizon(1e5)}, {{0, 0, 0, 5.73, 4.09e-09}, {0, 0, 0, 21.4, 1.32e-08}}},
+        {"horizon of radius 1e7", far, {horizon(1e7)}, {{0, 0, 0, 15.7, 8.37e-10}, {0, 0, 0, 25.5, 1.28e-09}}},
     };
 }
 

@@ -34,11 +34,11 @@ std::vector<HardCase> surfaces() {
          inside,
          on_all(1e-15),
          {{0, 0, 0, 10.2, 1.19e-08}, {0, 0, 0, 34.4, 1.19e-08}}},
-        {"eye 1e-15 r inside a surface", inside, on_all(-1e-15), {{0, 0, 0, 21.6, 2.17e-07}, {0, 0, 0, 778, 2.47e-07}}},
+        {"eye 1e-15 r inside a surface", inside, on_all(-1e-15), {{0, 0, 0, 21.6, 2.17e-07}, {0, 0, 0, 702, 2.47e-07}}},
         {"eye 1e-9 r outside a surface", inside, on_all(1e-9), {{0, 0, 0, 10.5, 1.82e-08}, {0, 0, 0, 30.9, 2.15e-08}}},
-        {"eye 1e-9 r inside a surface", inside, on_all(-1e-9), {{0, 0, 0, 21.1, 2.16e-07}, {0, 0, 0, 736, 2.48e-07}}},
+        {"eye 1e-9 r inside a surface", inside, on_all(-1e-9), {{0, 0, 0, 21.1, 2.16e-07}, {0, 0, 0, 662, 2.48e-07}}},
         {"eye 1e-6 r outside a surface", inside, on_all(1e-6), {{0, 0, 0, 15.7, 6.17e-08}, {0, 0, 0, 34.4, 9.04e-08}}},
-        {"eye 1e-6 r inside a surface", inside, on_all(-1e-6), {{0, 0, 0, 21.5, 2.63e-07}, {0, 0, 0, 282, 2.63e-07}}},
+        {"eye 1e-6 r inside a surface", inside, on_all(-1e-6), {{0, 0, 0, 21.5, 2.63e-07}, {0, 0, 0, 239, 2.63e-07}}},
     };
 }
 
