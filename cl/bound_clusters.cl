@@ -40,8 +40,8 @@ static inline Rectangles rectangles(global const PencilCluster* c, Basis basis) 
 #endif
 
 kernel void bound_clusters(global const PencilCluster* restrict clusters, const Basis basis, const int count,
-                           const int origin, const int items, global Node* restrict nodes) {
-    const int item = (int)get_global_id(0);
+                           const int origin, const int items, global Node* restrict nodes, const int first_item) {
+    const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
     Children children;
     for (int i = 0; i < CLUSTER; ++i) {

@@ -5,8 +5,9 @@
 // are any. One work-item: one node.
 #include "bounds.h"
 
-kernel void bound_nodes(const int origin, const int below, const int count, const int items, global Node* nodes) {
-    const int item = (int)get_global_id(0);
+kernel void bound_nodes(const int origin, const int below, const int count, const int items, global Node* nodes,
+                        const int first_item) {
+    const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
     Children children;
     for (int i = 0; i < CLUSTER; ++i) {

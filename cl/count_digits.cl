@@ -5,8 +5,8 @@
 #include "slices.h"
 
 kernel void count_digits(global const uint2* restrict pairs, const int count, const int shift, const int items,
-                         global uint* restrict counts, global uint* restrict totals) {
-    const int item = (int)get_global_id(0);
+                         global uint* restrict counts, global uint* restrict totals, const int first_item) {
+    const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
     global uint* mine = counts + (size_t)item * DIGITS;
     for (int d = 0; d < DIGITS; ++d) mine[d] = 0;

@@ -20,8 +20,9 @@ static int is_duplicate(SphereRows spheres, global const uint2* sorted, int plac
 
 kernel void find_duplicates(global const float* restrict rows, global const float* restrict rests, const int columns,
                             global const uint2* restrict sorted, const int hashed, const int max_run, const int count,
-                            const int items, global int* restrict order, global int* restrict crowded) {
-    const int item = (int)get_global_id(0);
+                            const int items, global int* restrict order, global int* restrict crowded,
+                            const int first_item) {
+    const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
     const SphereRows spheres = {rows, rests, columns};
     for (int place = item * CLUSTER; place < min((item + 1) * CLUSTER, count); ++place) {

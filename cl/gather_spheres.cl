@@ -19,8 +19,8 @@ static inline void fetch_rows(SphereRows spheres, global const int* order, int f
 kernel void gather_spheres(global const float* restrict rows, global const float* restrict rests, const int columns,
                            global const int* restrict order, global const int* restrict ids, const int first_id,
                            const int count, const int items, global Cluster* restrict clusters,
-                           global ClusterRest* restrict cluster_rests) {
-    const int item = (int)get_global_id(0);
+                           global ClusterRest* restrict cluster_rests, const int first_item) {
+    const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
     const SphereRows spheres = {rows, rests, columns};
     global Cluster* to = clusters + item;

@@ -5,8 +5,9 @@
 #include "eye_pencil.h"
 #include "ray_buffers.h"
 
-kernel void generate_rays(const EyePencil eye, const Tile tile, const int items, global real* restrict dirs) {
-    const int item = (int)get_global_id(0);
+kernel void generate_rays(const EyePencil eye, const Tile tile, const int items, global real* restrict dirs,
+                          const int first_item) {
+    const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
     FOR_PACKETS(k) store_3(eye_rays(eye, tile, item, k), dirs, item, k);
 }

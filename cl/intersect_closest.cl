@@ -215,8 +215,8 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
                               global real* restrict ts, global real* restrict normals, global int* restrict ids,
                               const int first_group, global int* restrict hit_counts, const real base,
                               global real* restrict doubts, global float* restrict curvatures,
-                              global uint* restrict undecided, const int first_word) {
-    const int item = (int)get_global_id(0);
+                              global uint* restrict undecided, const int first_word, const int first_item) {
+    const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
     const Hierarchy hierarchy = {clusters, nodes, levels, last};
     vec3w dir[PACKETS];
@@ -304,5 +304,5 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
     curvatures[item] = REDUCE(most, curved) * (1 + 0x1p-20f);
     leave_undecided(open, (Undecided){undecided, first_word}, item);
 #endif
-    atomic_add(hit_counts + first_group + get_group_id(0), REDUCE(count, ints_of(hits)));
+    atomic_add(hit_counts + first_group + group_of_all(first_item), REDUCE(count, ints_of(hits)));
 }

@@ -11,8 +11,9 @@ kernel void intersect_shadow(global const real* restrict dirs, global const real
                              global const real* restrict normals, global const int* restrict ids,
                              global const PencilCluster* restrict clusters, global const Node* restrict nodes,
                              const int levels, const int last, const int first_chunk, const float group_depth,
-                             const LightPencil light, const int items, global real* restrict arrival) {
-    const int item = (int)get_global_id(0);
+                             const LightPencil light, const int items, global real* restrict arrival,
+                             const int first_item) {
+    const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
     realw share[PACKETS];
     const Hierarchy hierarchy = {clusters, nodes, levels, last};

@@ -8,8 +8,9 @@
 #include "ray_buffers.h"
 
 kernel void measure_roots(global const float* restrict dirs, global const RootSphere* restrict spheres, const int items,
-                          const int all_items, global float* restrict ts, global float* restrict normals) {
-    const int item = (int)get_global_id(0);
+                          const int all_items, global float* restrict ts, global float* restrict normals,
+                          const int first_item) {
+    const int item = first_item + (int)get_global_id(0);
     if (item >= all_items) return;
     const int from = item % items;
     const RootSphere sphere = spheres[(uint)from * (LANES * PACKETS) / BLOCK_RAYS];

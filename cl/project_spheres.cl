@@ -8,8 +8,8 @@
 
 kernel void project_spheres(global const Cluster* restrict clusters, global const ClusterRest* restrict rests,
                             const Apex apex, const ParallelPencil light, const int items,
-                            global PencilCluster* restrict seen) {
-    const int item = (int)get_global_id(0);
+                            global PencilCluster* restrict seen, const int first_item) {
+    const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
     global const Cluster* c = clusters + item;
     global PencilCluster* to = seen + item;

@@ -6,8 +6,8 @@
 #include "ray_buffers.h"
 
 kernel void refine_rays(const EyePencil eye, global const int* restrict places, const int first, const int count,
-                        const int items, global real* restrict dirs) {
-    const int item = (int)get_global_id(0);
+                        const int items, global real* restrict dirs, const int first_item) {
+    const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
     const int place = item < count ? places[first + item] : 0;
     const vec3w dir = eye_ray(eye, place % eye.width, place / eye.width);

@@ -6,8 +6,8 @@
 #include "resolve.h"
 
 kernel void resolve(global const word* restrict blocks, const int components, const Tile tile, const Planes planes,
-                    const int items, global int* plane0, global int* plane1, global int* plane2) {
-    const int item = (int)get_global_id(0);
+                    const int items, global int* plane0, global int* plane1, global int* plane2, const int first_item) {
+    const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
     const int pairs = (tile.blocks_x + 1) / 2, pair = item / BLOCK_SIDE, x = pair % pairs * 2;
     resolve_row(blocks, components, tile, planes, pair / pairs * tile.blocks_x + x, min(2, tile.blocks_x - x),

@@ -5,8 +5,8 @@
 #include "slices.h"
 
 kernel void scan_counts(const int slices, const int items, global uint* restrict counts,
-                        global const uint* restrict totals) {
-    const int digit = (int)get_global_id(0);
+                        global const uint* restrict totals, const int first_item) {
+    const int digit = first_item + (int)get_global_id(0);
     if (digit >= items) return;
     uint place = 0;
     for (int d = 0; d < digit; ++d) place += totals[d];

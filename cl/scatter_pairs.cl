@@ -5,8 +5,8 @@
 #include "slices.h"
 
 kernel void scatter_pairs(global const uint2* restrict pairs, const int count, const int shift, const int items,
-                          global uint* restrict places, global uint2* restrict sorted) {
-    const int item = (int)get_global_id(0);
+                          global uint* restrict places, global uint2* restrict sorted, const int first_item) {
+    const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
     global uint* mine = places + (size_t)item * DIGITS;
     const Slice slice = slice_of(item, items, count);

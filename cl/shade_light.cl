@@ -63,9 +63,9 @@ static inline void add_light(Hits hits, Albedos albedos, Real3 phi, realw share,
 
 #if RESOLVES
 // The blocks of this work-group, two by two.
-static inline void resolve_group(global const word* radiance, Tile tile, Planes planes, global int* plane0,
+static inline void resolve_group(int group, global const word* radiance, Tile tile, Planes planes, global int* plane0,
                                  global int* plane1, global int* plane2) {
-    const int blocks = (int)get_local_size(0) * LANES * PACKETS / BLOCK_RAYS, begin = (int)get_group_id(0) * blocks;
+    const int blocks = (int)get_local_size(0) * LANES * PACKETS / BLOCK_RAYS, begin = group * blocks;
     for (int i = (int)get_local_id(0); i < (blocks + 1) / 2 * BLOCK_SIDE; i += (int)get_local_size(0)) {
         const int block = begin + i / BLOCK_SIDE * 2, row = i % BLOCK_SIDE, end = min(begin + blocks, tile.blocks);
         const int neighbours = block % tile.blocks_x + 1 < tile.blocks_x, count = min(2, end - block);
@@ -88,8 +88,8 @@ kernel void shade_light(global const real* restrict dirs, global const real* res
                         global real* radiance, const int last_light, const Tile tile, const Planes planes,
                         global int* plane0, global int* plane1, global int* plane2, const real base,
                         global const real* restrict doubts, global const float* restrict curvatures,
-                        global uint* undecided, const int first_word) {
-    const int item = (int)get_global_id(0);
+                        global uint* undecided, const int first_word, const int first_item) {
+    const int item = first_item + (int)get_global_id(0);
     if (item < items) {
         const Hits hits = {dirs, ts, normals, ids};
         realw share[PACKETS];
@@ -115,6 +115,7 @@ kernel void shade_light(global const real* restrict dirs, global const real* res
     }
 #if RESOLVES
     barrier(CLK_GLOBAL_MEM_FENCE);
-    if (last_light) resolve_group((global const word*)radiance, tile, planes, plane0, plane1, plane2);
+    if (last_light)
+        resolve_group(group_of_all(first_item), (global const word*)radiance, tile, planes, plane0, plane1, plane2);
 #endif
 }

@@ -35,8 +35,8 @@ static inline TwoReals place_of(const float* at, const float* rest, float low, f
 kernel void sphere_keys(global const float* restrict rows, global const float* restrict rests, const int columns,
                         global const uint2* restrict sorted, const int first, const int word, const Float3 low,
                         const float scale, const float middle_radius, const int count, const int items,
-                        global uint2* restrict pairs) {
-    const int item = (int)get_global_id(0);
+                        global uint2* restrict pairs, const int first_item) {
+    const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
     const SphereRows spheres = {rows, rests, columns};
     float x[CLUSTER], y[CLUSTER], z[CLUSTER], radius[CLUSTER];

@@ -24,10 +24,12 @@ void put(Film& film, size_t at, const Pixel& pixel) {
     put(film.id, at, pixel.id);
 }
 
-void decide_exactly(const Scene& scene, bool shadows, const std::vector<int>& pixels, double unit, Film& film) {
+void decide_exactly(const Scene& scene, bool shadows, const std::vector<int>& pixels, double unit, Film& film,
+                    const Stop* stop) {
     if (pixels.empty()) return;
     const exact::Decider decider(scene, shadows);
     for (const int at : pixels) {
+        check(stop);
         const exact::Pixel pixel = decider.decide(at % film.width, at / film.width);
         put(film, static_cast<size_t>(at), {pixel.id, pixel.t / unit, pixel.normal, pixel.radiance});
     }

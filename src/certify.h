@@ -6,6 +6,7 @@
 
 #include "film.h"
 #include "scene.h"
+#include "stop.h"
 
 namespace gnomon {
 
@@ -21,6 +22,7 @@ struct Pixel {
 void put(Film& film, size_t at, const Pixel& pixel);
 
 /// Decides these pixels (places in the image, row by row) exactly; distances are in the unit.
-void decide_exactly(const Scene& scene, bool shadows, const std::vector<int>& pixels, double unit, Film& film);
+void decide_exactly(const Scene& scene, bool shadows, const std::vector<int>& pixels, double unit, Film& film,
+                    const Stop* stop = nullptr);
 
 }  // namespace gnomon

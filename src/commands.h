@@ -25,8 +25,8 @@ class RenderCommand {
     void say(const std::string& line) const;
 
     CLI::App* command_;
-    std::string scene_path_, device_, size_, view_ = "radiance", accuracy_ = "strict", stats_path_;
-    std::vector<std::string> outputs_;
+    std::string scene_path_, size_, view_ = "radiance", accuracy_ = "strict", stats_path_;
+    std::vector<std::string> outputs_, devices_;
     Display display_;
     bool no_shadows_ = false, quiet_ = false;
     RenderOptions options_;

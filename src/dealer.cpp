@@ -14,7 +14,9 @@ namespace {
 
 class Dealer : public std::enable_shared_from_this<Dealer> {
   public:
-    explicit Dealer(const Deal& what) : what_(what), turns_(what.workers), playing_(what.workers) {}
+    explicit Dealer(const Deal& what) : what_(what), playing_(what.workers) {
+        for (size_t worker = 0; worker < what.workers; ++worker) turns_.push_back({worker, {}});
+    }
 
     void run() {
         for (size_t worker = 0; worker < turns_.size(); ++worker) give_next(worker);
@@ -24,15 +26,17 @@ class Dealer : public std::enable_shared_from_this<Dealer> {
         while (playing_ > 0 || news()) {
             if (!changed_.wait_for(lock, std::chrono::seconds(1), [&] { return playing_ == 0 || news(); }))
                 look_for_failures(lock);
-            if (news()) tell(told = ended_, lock);
+            if (!news()) continue;
+            told = ended_;
+            tell(share_, lock);
         }
         if (failure_) std::rethrow_exception(failure_);
     }
 
   private:
-    /// The tile that a worker has, and the event that ends it; none if it has none.
+    /// A worker, and the event that ends what it does; none if it does nothing.
     struct Turn {
-        size_t tile = 0;
+        size_t worker;
         cl::Event end;
     };
     /// What the driver calls back for. It may do so after all is over, if look_for_failures was faster.
@@ -56,12 +60,9 @@ class Dealer : public std::enable_shared_from_this<Dealer> {
     /// If there is none the worker leaves.
     cl::Event launch_next(size_t worker) {
         const std::lock_guard<std::mutex> lock(mutex_);
-        Turn& turn = turns_[worker];
         try {
-            if (next_ < what_.tiles) {
-                turn.tile = next_++;
-                return turn.end = what_.launch(turn.tile, worker);
-            }
+            const cl::Event end = failure_ ? cl::Event() : what_.launch(worker);
+            if (end()) return turns_[worker].end = end;
         } catch (...) {
             fail(std::current_exception());
         }
@@ -90,7 +91,7 @@ class Dealer : public std::enable_shared_from_this<Dealer> {
             if (failure) std::rethrow_exception(failure);
             // The event tells: PoCL calls back with CL_COMPLETE even for one that had failed before it was asked to.
             if (status_of(end) < 0) throw cl::Error(status_of(end), "a tile's launches");
-            what_.ended(turn.tile);
+            share_ = what_.ended(turn.worker);
             ++ended_;
         } catch (...) {
             fail(std::current_exception());
@@ -99,10 +100,9 @@ class Dealer : public std::enable_shared_from_this<Dealer> {
         return true;
     }
 
-    /// Nobody gets another tile. To be called under the lock.
+    /// Nothing is launched from now on. To be called under the lock.
     void fail(const std::exception_ptr& failure) {
         if (!failure_) failure_ = failure;
-        next_ = what_.tiles;
     }
 
     /// Not every driver calls back when a command fails: PoCL does not.
@@ -115,11 +115,11 @@ class Dealer : public std::enable_shared_from_this<Dealer> {
         }
     }
 
-    void tell(size_t ended, std::unique_lock<std::mutex>& lock) {
+    void tell(double share, std::unique_lock<std::mutex>& lock) {
         lock.unlock();
         std::exception_ptr failure;
         try {
-            what_.progress(static_cast<double>(ended) / static_cast<double>(what_.tiles));
+            what_.progress(share);
         } catch (...) {
             failure = std::current_exception();
         }
@@ -131,8 +131,9 @@ class Dealer : public std::enable_shared_from_this<Dealer> {
     std::mutex mutex_;  // of all that follows
     std::condition_variable changed_;
     std::vector<Turn> turns_;
-    size_t next_ = 0, ended_ = 0;
-    size_t playing_;  // workers that may yet get a tile
+    size_t ended_ = 0;
+    double share_ = 0;  // of all work, that is done
+    size_t playing_;    // workers that may yet be given work
     std::exception_ptr failure_;
 };
 

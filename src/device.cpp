@@ -127,6 +127,11 @@ const char* to_string(DeviceType type) {
     return "other";
 }
 
+std::string DeviceInfo::number() const {
+    const std::string whole = std::to_string(platform) + ":" + std::to_string(device);
+    return parts == 0 ? whole : whole + "/" + std::to_string(parts) + "." + std::to_string(part);
+}
+
 void pin_device_threads() {
     cpu_set_t allowed;
     if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;  // more cores than a set holds
@@ -163,8 +168,81 @@ const DeviceInfo& choose_device(const std::vector<DeviceInfo>& devices, const st
                 "give P:D, cpu, gpu, accel or part of a name that only one device has; " + listed(devices));
 }
 
-cl::Device open_device(const DeviceInfo& info) {
+namespace {
+
+/// The equal parts of a device; all of it, if there is one.
+std::vector<cl::Device> parts_of(const cl::Device& device, int parts) {
+    if (parts == 0) return {device};
+    const auto units = static_cast<cl_device_partition_property>(device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>());
+    const cl_device_partition_property equally[] = {CL_DEVICE_PARTITION_EQUALLY, units / parts, 0};
+    std::vector<cl::Device> result;
+    cl::Device(device).createSubDevices(equally, &result);
+    return result;
+}
+
+cl::Device open_whole(const DeviceInfo& info) {
     return devices_of(platforms().at(static_cast<size_t>(info.platform))).at(static_cast<size_t>(info.device));
+}
+
+std::vector<DeviceInfo> cut(const DeviceInfo& whole, const std::string& number, const std::string& request) try {
+    const auto refuse = [&](const std::string& what) {
+        throw Error(Blame::input, what, "--device " + request,
+                    whole.name + " has " + std::to_string(whole.compute_units) +
+                        " compute units, which N must divide; each part has as many");
+    };
+    const bool is_number =
+        !number.empty() && number.size() < 6 && number.find_first_not_of("0123456789") == std::string::npos;
+    const int parts = is_number ? std::stoi(number) : 0;
+    if (parts < 1) refuse("found " + number + ", expected a number of parts");
+    if (whole.sub_devices == 0 && parts > 1) refuse("the device cannot be cut into parts");
+    if (whole.compute_units % parts != 0) refuse("the device cannot be cut into " + number + " equal parts");
+    if (parts == 1) return {whole};
+    const cl::Platform platform = platforms().at(static_cast<size_t>(whole.platform));
+    std::vector<DeviceInfo> result;
+    for (const cl::Device& device : parts_of(open_whole(whole), parts)) {
+        DeviceInfo info = inspect(platform, device);
+        info.platform = whole.platform;
+        info.device = whole.device;
+        info.parts = parts;
+        info.part = static_cast<int>(result.size());
+        info.global_bytes /= static_cast<uint64_t>(parts);  // they share what the whole has
+        result.push_back(info);
+    }
+    return result;
+} catch (const cl::Error& error) {
+    throw Error(Blame::run, describe(error), "--device " + request);
+}
+
+std::vector<DeviceInfo> meant_by(const std::vector<DeviceInfo>& devices, const std::string& request) {
+    if (lower(request) == "all") return devices;
+    const size_t slash = request.rfind('/');
+    if (slash == std::string::npos) return {choose_device(devices, request)};
+    return cut(choose_device(devices, request.substr(0, slash)), request.substr(slash + 1), request);
+}
+
+}  // namespace
+
+std::vector<DeviceInfo> choose_devices(const std::vector<DeviceInfo>& devices,
+                                       const std::vector<std::string>& requests) {
+    if (requests.empty()) return {choose_device(devices, "")};
+    std::vector<DeviceInfo> chosen;
+    for (const std::string& request : requests) {
+        for (const DeviceInfo& device : meant_by(devices, request)) {
+            const auto same = [&](const DeviceInfo& d) {
+                return d.platform == device.platform && d.device == device.device &&
+                       (d.parts != device.parts || d.part == device.part);
+            };
+            if (std::any_of(chosen.begin(), chosen.end(), same))
+                throw Error(Blame::input, "device " + device.number() + " is asked for twice", "--device " + request,
+                            "a device renders no faster for that; for its parts, give P:D/N once");
+            chosen.push_back(device);
+        }
+    }
+    return chosen;
+}
+
+cl::Device open_device(const DeviceInfo& info) {
+    return parts_of(open_whole(info), info.parts).at(static_cast<size_t>(info.part));
 }
 
 }  // namespace gnomon

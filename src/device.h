@@ -12,6 +12,7 @@ enum class DeviceType { cpu, gpu, accel, other };
 /// One device as its driver describes it.
 struct DeviceInfo {
     int platform = 0, device = 0;  ///< as `clinfo -l` numbers them
+    int parts = 0, part = 0;       ///< of a device that is cut into equal parts: how many, and which; 0: whole
     DeviceType type = DeviceType::other;
     std::string name, platform_name, version, driver;
     int compute_units = 0;
@@ -23,7 +24,8 @@ struct DeviceInfo {
     bool correctly_rounded = false;  ///< divide and sqrt, when asked (CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT)
     bool out_of_order = false, fp64 = false;
 
-    std::string number() const { return std::to_string(platform) + ":" + std::to_string(device); }
+    /// "P:D", or "P:D/N.I" of part I of N.
+    std::string number() const;
 };
 
 const char* to_string(DeviceType type);
@@ -40,5 +42,11 @@ std::vector<DeviceInfo> list_devices();
 /// ignored); empty: the first GPU, else the first CPU, else the first. Throws Error(Blame::input) with the list when
 /// none or several match.
 const DeviceInfo& choose_device(const std::vector<DeviceInfo>& devices, const std::string& request);
+
+/// The devices that several requests mean, each once. "all" means all; with "/N" behind it a request means N equal
+/// parts of the device (clCreateSubDevices). No request: as choose_device() without. Throws Error(Blame::input) besides
+/// when a device is asked for twice, whole or in parts, or cannot be cut like that.
+std::vector<DeviceInfo> choose_devices(const std::vector<DeviceInfo>& devices,
+                                       const std::vector<std::string>& requests);
 
 }  // namespace gnomon

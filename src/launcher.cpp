@@ -1,25 +1,30 @@
 #include "launcher.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace gnomon {
 
-double seconds_of(const cl::Event& event) {
-    return 1e-9 * static_cast<double>(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
-                                      event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
-}
+Launcher::Launcher(const cl::CommandQueue& queue, Programs& programs, Pace& pace, int units, const Stop* stop)
+    : queue_(queue),
+      programs_(programs),
+      pace_(pace),
+      units_(units),
+      launches_(pace, stop, [this](int tag, int64_t, double seconds) {
+          Cost& cost = costs_[static_cast<size_t>(tag)];
+          cost.launches += 1;
+          cost.seconds += seconds;
+          cost.longest = std::max(cost.longest, seconds);
+      }) {}
 
-double seconds_since_asked(const cl::Event& event) {
-    return 1e-9 * static_cast<double>(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
-                                      event.getProfilingInfo<CL_PROFILING_COMMAND_QUEUED>());
-}
+Launcher::~Launcher() { clFinish(queue_()); }
 
-void Launcher::enqueue(const Variant& variant, const cl::Kernel& kernel, int items, int local) {
-    const auto group = static_cast<size_t>(local), groups = (static_cast<size_t>(items) + group - 1) / group;
-    cl::Event done;
-    queue_.enqueueNDRangeKernel(kernel, cl::NullRange, groups * group, group, &last_, &done);
-    last_ = {done};
-    launched_.push_back({variant, done});
+void Launcher::launch(const Variant& variant, const cl::Kernel& kernel, int items, int local) {
+    const auto known =
+        std::find_if(costs_.begin(), costs_.end(), [&](const Cost& cost) { return cost.variant == variant; });
+    const auto tag = static_cast<int>(known - costs_.begin());
+    if (known == costs_.end()) costs_.push_back({variant});
+    launches_.launch(queue_, {kernel, &pace_.of(variant.name()), tag, items, local, units_}, last_);
 }
 
 void Launcher::fill_with_zeros(const cl::Buffer& buffer) {
@@ -51,11 +56,15 @@ std::vector<cl::Event> Launcher::last() const {
 
 void Launcher::finish() {
     queue_.finish();
+    launches_.await_all();
     last_.clear();
     root_.reset();
     ends_.clear();
 }
 
-std::vector<Launcher::Launched> Launcher::take_launched() { return std::exchange(launched_, {}); }
+std::vector<Launcher::Cost> Launcher::take_costs() {
+    launches_.await_all();
+    return std::exchange(costs_, {});
+}
 
 }  // namespace gnomon

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include "launches.h"
 #include "opencl.h"
 #include "program.h"
 
@@ -28,26 +30,28 @@ void set_arguments(cl::Kernel& kernel, const Arguments&... arguments) {
     (set_argument(kernel, index++, arguments), ...);
 }
 
-/// The device's own time of a command that has ended.
-double seconds_of(const cl::Event& event);
-/// From when the host asked for it to its end.
-double seconds_since_asked(const cl::Event& event);
-
 class Launcher {
   public:
-    struct Launched {
+    /// What the launches of one variant took that have ended.
+    struct Cost {
         Variant variant;
-        cl::Event event;
+        int launches = 0;
+        double seconds = 0, longest = 0;
     };
 
-    Launcher(const cl::CommandQueue& queue, Programs& programs) : queue_(queue), programs_(programs) {}
+    /// `pace` is that of the queue's device, which has so many compute `units`.
+    Launcher(const cl::CommandQueue& queue, Programs& programs, Pace& pace, int units, const Stop* stop = nullptr);
+    /// Waits for all: what the launches read may not outlive this.
+    ~Launcher();
+    Launcher(const Launcher&) = delete;
+    Launcher& operator=(const Launcher&) = delete;
 
-    /// One launch over at least `items` work-items in groups of `local`.
+    /// One launch, or more if that would take too long, over at least `items` work-items in groups of `local`.
     template <class... Arguments>
     void launch(const Variant& variant, int items, int local, const Arguments&... arguments) {
         cl::Kernel kernel = programs_.get(variant).kernel;
         set_arguments(kernel, arguments...);
-        enqueue(variant, kernel, items, local);
+        launch(variant, kernel, items, local);
     }
     /// What follows, up to the next branch, waits only for what was launched before the first one.
     void branch();
@@ -58,18 +62,21 @@ class Launcher {
     /// What must have ended before anything else may read what the launches write; empty after finish().
     std::vector<cl::Event> last() const;
 
-    /// What was launched since the last time this was asked; call finish() first.
-    std::vector<Launched> take_launched();
+    /// What was launched since the last time this was asked. Waits for all of it.
+    std::vector<Cost> take_costs();
 
   private:
-    void enqueue(const Variant& variant, const cl::Kernel& kernel, int items, int local);
+    void launch(const Variant& variant, const cl::Kernel& kernel, int items, int local);
 
     cl::CommandQueue queue_;
     Programs& programs_;
+    Pace& pace_;
+    int units_;
+    Launches launches_;
     std::vector<cl::Event> last_;                 // of the branch that is being launched
     std::optional<std::vector<cl::Event>> root_;  // where branches start, if there are any
     std::vector<cl::Event> ends_;                 // of the other branches
-    std::vector<Launched> launched_;
+    std::vector<Cost> costs_;                     // a launch's tag is its place here
 };
 
 }  // namespace gnomon

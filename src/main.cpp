@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "device.h"
 #include "error.h"
+#include "interrupt.h"
 
 namespace {
 
@@ -18,6 +19,7 @@ int fail(const std::string& message, int code) {
 }  // namespace
 
 int main(int argc, char** argv) try {
+    gnomon::catch_interrupts();
     gnomon::pin_device_threads();
     CLI::App app{"Renders scenes of spheres under directional and point lights with OpenCL kernels.", "gnomon"};
     app.set_version_flag("--version", "gnomon " GNOMON_VERSION);
@@ -39,6 +41,8 @@ int main(int argc, char** argv) try {
     if (verify.chosen()) return verify.run();
     fmt::print(stderr, "{}", app.help());
     return fail("a subcommand is required: render, devices, diff, report or verify", 2);
+} catch (const gnomon::Stopped&) {
+    return gnomon::interrupted();
 } catch (const gnomon::Error& error) {
     return fail(error.what(), error.exit_code());
 } catch (const std::bad_alloc&) {

@@ -116,6 +116,8 @@ std::string Variant::options() const {
     return text + build_options(accuracy);
 }
 
+std::string Variant::name() const { return std::string(to_string(kernel)) + " " + options(); }
+
 Variant sphere_variant(Kernel kernel, Accuracy accuracy, bool has_rests, bool is_parallel, bool has_ids) {
     // Spheres are seen as exactly as the type allows, however fast rays are traced.
     const Accuracy seen = computes_in_double(accuracy) ? accuracy : Accuracy::strict;

@@ -59,6 +59,7 @@ struct Variant {
     Accuracy accuracy = Accuracy::strict;
 
     std::string options() const;  ///< "-D LANES=16 ..."
+    std::string name() const;     ///< the kernel's, and the options
     bool operator==(const Variant& other) const {
         return kernel == other.kernel && defines == other.defines && accuracy == other.accuracy;
     }
@@ -93,6 +94,7 @@ struct Plan {
     bool write_in_place = true;     ///< the film's planes are the device's buffers
     int tile_blocks = 0;            ///< blocks in the largest tile
     std::vector<Tile> tiles;        ///< covering the image, row by row
+    bool shares_tiles = false;      ///< with other devices: none is taken before there is room for it
     int workers = 1;                ///< who works on tiles: 1, the whole device; more, so many of its cores
     int tile_sets = 1;              ///< tiles under way at once, each with buffers of its own
     std::vector<Variant> variants;  ///< the kernels to build: these and no others

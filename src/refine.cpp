@@ -32,11 +32,13 @@ void read(const cl::CommandQueue& queue, const cl::Buffer& buffer, size_t count,
 
 }  // namespace
 
-Refinement::Refinement(const cl::Context& context, const cl::CommandQueue& queue, const DeviceMemory& memory,
-                       Programs& programs, const Plan& plan, const SceneBuffers& scene, const TileBuffers& tile,
+Refinement::Refinement(const Workers& workers, const DeviceMemory& memory, Programs& programs, Pace& pace,
+                       const Stop* stop, const Plan& plan, const SceneBuffers& scene, const TileBuffers& tile,
                        Film& film)
-    : queue_(queue),
+    : queue_(workers.whole()),
+      units_(workers.units(1)),
       programs_(programs),
+      pace_(pace),
       plan_(plan),
       scene_(scene),
       tile_(tile),
@@ -44,7 +46,8 @@ Refinement::Refinement(const cl::Context& context, const cl::CommandQueue& queue
       memory_(memory),
       hit_counts_(memory.room<int>(refinement_batch)),
       undecided_(memory, refinement_batch / BLOCK_RAYS),
-      binder_(context, plan, scene, film, hit_counts_, undecided_) {}
+      binder_(workers.context(), plan, scene, film, hit_counts_, undecided_),
+      launches_(pace, stop, [this](int, int64_t, double seconds) { longest_ = std::max(longest_, seconds); }) {}
 
 std::vector<int> Refinement::refine(const std::vector<int>& pixels, const std::vector<cl::Event>& after) {
     last_ = after;
@@ -59,11 +62,9 @@ std::vector<int> Refinement::refine(const std::vector<int>& pixels, const std::v
     return undecided;
 }
 
-void Refinement::launch(const cl::Kernel& kernel, int items) {
-    const auto local = static_cast<size_t>(plan_.local_size), groups = (static_cast<size_t>(items) + local - 1) / local;
-    cl::Event done;
-    queue_.enqueueNDRangeKernel(kernel, cl::NullRange, groups * local, local, &last_, &done);
-    last_ = {done};
+void Refinement::launch(const Step& step, const cl::Kernel& kernel, int items) {
+    KernelPace& pace = pace_.of(plan_.variants[static_cast<size_t>(step.variant)].name());
+    launches_.launch(queue_, {kernel, &pace, 0, items, plan_.local_size, units_}, last_);
 }
 
 void Refinement::trace(const cl::Buffer& places, int first, int count) {
@@ -74,17 +75,17 @@ void Refinement::trace(const cl::Buffer& places, int first, int count) {
         cl::Kernel kernel = programs_.get(plan_.variants[static_cast<size_t>(step.variant)]).kernel;
         if (step.kernel == Kernel::refine_rays) {
             set_arguments(kernel, scene_.eye, places, first, count, blocks * BLOCK_RAYS, tile_.dirs);
-            launch(kernel, blocks * BLOCK_RAYS);
+            launch(step, kernel, blocks * BLOCK_RAYS);
             continue;
         }
         const SphereBuffers& spheres =
             step.light < 0 ? scene_.spheres : scene_.lights[static_cast<size_t>(step.light)].spheres;
         binder_.bind(kernel, {step, tile, tile_, 0, 0, &spheres});
-        launch(kernel, plan_.items(step.kernel, tile));
+        launch(step, kernel, plan_.items(step.kernel, tile));
     }
-    const cl::Event traced = last_.back();
+    queue_.finish();
     last_.clear();
-    traced.wait();
+    launches_.measure_all();
 }
 
 void Refinement::write(const int* pixels, int count, std::vector<int>& undecided) {

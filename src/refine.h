@@ -6,6 +6,7 @@
 #include "binder.h"
 #include "film.h"
 #include "program.h"
+#include "workers.h"
 
 namespace gnomon {
 
@@ -14,18 +15,21 @@ namespace gnomon {
 /// buffers.
 class Refinement {
   public:
-    Refinement(const cl::Context& context, const cl::CommandQueue& queue, const DeviceMemory& memory,
-               Programs& programs, const Plan& plan, const SceneBuffers& scene, const TileBuffers& tile, Film& film);
+    Refinement(const Workers& workers, const DeviceMemory& memory, Programs& programs, Pace& pace, const Stop* stop,
+               const Plan& plan, const SceneBuffers& scene, const TileBuffers& tile, Film& film);
 
     std::vector<int> refine(const std::vector<int>& pixels, const std::vector<cl::Event>& after);
+    double longest_launch() const { return longest_; }
 
   private:
-    void launch(const cl::Kernel& kernel, int items);
+    void launch(const Step& step, const cl::Kernel& kernel, int items);
     void trace(const cl::Buffer& places, int first, int count);
     void write(const int* pixels, int count, std::vector<int>& undecided);
 
     cl::CommandQueue queue_;
+    int units_;
     Programs& programs_;
+    Pace& pace_;
     const Plan& plan_;
     const SceneBuffers& scene_;
     const TileBuffers& tile_;
@@ -35,6 +39,8 @@ class Refinement {
     UndecidedRays undecided_;
     Binder binder_;
     std::vector<cl::Event> last_;
+    double longest_ = 0;
+    Launches launches_;
 };
 
 }  // namespace gnomon

@@ -7,6 +7,7 @@
 #include "clock.h"
 #include "commands.h"
 #include "error.h"
+#include "interrupt.h"
 #include "scene_io.h"
 #include "stats_json.h"
 #include "temporary_file.h"
@@ -63,12 +64,19 @@ std::string camera_text(const Camera& c) {
 }
 
 /// Nothing here changes from run to run: the same scene on the same device writes the same bytes.
-Metadata metadata_of(const Scene& scene, const DeviceInfo& device, const RenderStats& stats, bool shadows) {
-    std::string options;
-    for (const KernelStats& kernel : stats.kernels) options += kernel.kernel + ": " + kernel.options + "\n";
+Metadata metadata_of(const Scene& scene, const std::vector<DeviceInfo>& devices, const RenderStats& stats,
+                     bool shadows) {
+    std::string options, names, drivers;
+    for (const KernelStats& kernel : stats.kernels)
+        options += (devices.size() > 1 ? kernel.device + " " : "") + kernel.kernel + ": " + kernel.options + "\n";
+    for (const DeviceInfo& device : devices) {
+        const std::string comma = names.empty() ? "" : "; ";
+        names += comma + device.name + " (" + device.platform_name + ", " + device.version + ")";
+        drivers += comma + device.driver;
+    }
     return {{"Software", "gnomon " GNOMON_VERSION},
-            {"gnomon:device", device.name + " (" + device.platform_name + ", " + device.version + ")"},
-            {"gnomon:driver", device.driver},
+            {"gnomon:device", names},
+            {"gnomon:driver", drivers},
             {"gnomon:options", options},
             {"gnomon:scene", scene.sha1},
             {"gnomon:camera", camera_text(scene.camera)},
@@ -95,7 +103,13 @@ RenderCommand::RenderCommand(CLI::App& app) {
         ->type_name("FILE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    command_->add_option("--device", device_, "P:D as clinfo -l numbers them, cpu, gpu, accel, or part of a name")
+    command_
+        ->add_option(
+            "--device", devices_,
+            "P:D as clinfo -l numbers them, cpu, gpu, accel, or part of a name; with /N as N equal parts; all; "
+            "again for several at once")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->envname("GNOMON_DEVICE");
     command_->add_option("--size", size_, "instead of the scene's image size")->type_name("WxH");
     command_->add_option("--view", view_, "what a display image shows: radiance, distance, normal or id")
@@ -136,10 +150,10 @@ int RenderCommand::run() {
     if (!size_.empty()) scene.image = parse_size(size_);
 
     const double start = now();
-    const std::vector<DeviceInfo> devices = list_devices();
-    const DeviceInfo& device = choose_device(devices, device_);
-    say("device " + device.number() + ": " + device.name + " (" + device.platform_name + ")");
-    std::optional<Renderer> renderer(std::in_place, device);
+    const std::vector<DeviceInfo> devices = choose_devices(list_devices(), devices_);
+    for (const DeviceInfo& device : devices)
+        say("device " + device.number() + ": " + device.name + " (" + device.platform_name + ")");
+    std::optional<Renderer> renderer(std::in_place, devices);
     stats.device_seconds = now() - start;
 
     options_.shadows = !no_shadows_;
@@ -147,19 +161,23 @@ int RenderCommand::run() {
     Film film;
     {
         Progress progress(!quiet_);
+        const Stoppable stoppable;
         options_.progress = std::ref(progress);
+        options_.stop = stoppable.stop();
         stats.render = renderer->render(scene, options_, film);
     }
     for (const std::string& warning : stats.render.warnings) fmt::print(stderr, "gnomon: warning: {}\n", warning);
+    options_.stop = nullptr;
     renderer.reset();  // and what it holds of the device's memory
-    const Metadata metadata = metadata_of(scene, device, stats.render, options_.shadows);
+    const Metadata metadata = metadata_of(scene, devices, stats.render, options_.shadows);
     stats.write_seconds = timed([&] {
         for (const std::string& path : outputs_) write_image(film, path, display_, metadata);
     });
     if (quiet_ && stats_path_.empty()) return 0;
     stats.check_seconds = timed([&] { stats.check = check(scene, film, options_.shadows); });
-    if (!stats_path_.empty()) write_text(stats_path_, to_json(stats, scene, device).dump(2) + "\n");
-    say(summary(stats, device, scene.image));
+    if (!stats_path_.empty()) write_text(stats_path_, to_json(stats, scene, devices).dump(2) + "\n");
+    say(summary(stats, devices, scene.image));
+    if (devices.size() > 1) say(shares(stats.render));
     if (options_.accuracy == Accuracy::certified)
         say(fmt::format(
             "certified: float left {} pixels open, double {} of them, which were decided exactly; {:.1f} ms",

@@ -10,10 +10,6 @@ namespace gnomon {
 
 namespace {
 
-// The host runs this many tiles ahead of the device before it waits: each time it wakes it takes a core from a device
-// that is the CPU. Memory for events stays bounded.
-constexpr size_t tiles_ahead = 256;
-
 int blocks_of(const Plan& plan) {
     int blocks = 0;
     for (const Tile& tile : plan.tiles) blocks += tile.blocks;
@@ -28,31 +24,40 @@ bool meets_spheres(Kernel kernel, const Plan& plan) {
 }  // namespace
 
 Scheduler::Scheduler(const Workers& workers, const DeviceMemory& memory, const Plan& plan, const SceneBuffers& scene,
-                     const std::vector<TileBuffers>& tiles, std::vector<cl::Kernel> kernels, Film& film)
+                     const std::vector<TileBuffers>& tiles, std::vector<cl::Kernel> kernels, Pace& pace,
+                     const Stop* stop, Film& film)
     : queue_(workers.whole()),
       workers_(workers.queues(plan.workers)),
       plan_(plan),
       scene_(scene),
       kernels_(std::move(kernels)),
+      units_(workers.units(plan.workers)),
       film_(film),
       undecided_(memory, plan.certified ? blocks_of(plan) : 1) {
     for (const TileBuffers& buffers : tiles)
-        slots_.push_back({workers_[slots_.size() % workers_.size()], buffers, {}, 0, 0});
-    launched_.resize(plan.tiles.size());
+        slots_.push_back({workers_[slots_.size() % workers_.size()], buffers, {}, 0, plan.steps.size(), 0});
+    for (const Variant& variant : plan.variants) paces_.push_back(&pace.of(variant.name()));
+    for (size_t i = 0; i < workers_.size(); ++i)
+        launches_.emplace_back(pace, stop,
+                               [this](int tag, int64_t items, double seconds) { ended(tag, items, seconds); });
     measured_.launches.resize(plan.variants.size());
     measured_.seconds.resize(plan.variants.size());
+    measured_.longest.resize(plan.variants.size());
     int blocks = 0;
     for (const Tile& tile : plan.tiles) {
         first_blocks_.push_back(blocks);
         blocks += tile.blocks;
         first_groups_.push_back(groups_);
         groups_ += static_cast<int>(groups(Kernel::intersect_closest, tile));
+        last_items_ += plan.items(plan.steps.back().kernel, tile);
     }
     hit_counts_ = memory.room<int>(groups_);
     binder_.emplace(workers.context(), plan, scene, film, hit_counts_, undecided_);
 }
 
-Measured Scheduler::run(const std::vector<cl::Event>& after, const std::function<void(double)>& progress) {
+Measured Scheduler::run(TileQueue& tiles, const std::vector<cl::Event>& after,
+                        const std::function<void(double)>& progress) {
+    tiles_ = &tiles;
     std::vector<int> hits(static_cast<size_t>(groups_));
     std::vector<uint32_t> undecided;
     // Commands under way write into the film and the counts: never leave before they have ended.
@@ -82,49 +87,104 @@ Measured Scheduler::run(const std::vector<cl::Event>& after, const std::function
     return measured_;
 }
 
-/// All cores share each launch. The host is ahead of them.
+/// All cores share each launch. The host is ahead of them: each time it wakes up it takes a core from a device that is
+/// the CPU.
 void Scheduler::run_ahead(const std::function<void(double)>& progress) {
-    const size_t count = plan_.tiles.size();
-    for (size_t tile = 0; tile < count; ++tile) {
-        enqueue(tile, slots_[tile % slots_.size()]);
-        if (tile >= tiles_ahead) await(tile - tiles_ahead, progress);
+    if (progress) tell_ = &progress;
+    for (size_t i = 0;; i = (i + 1) % slots_.size()) {
+        if (plan_.shares_tiles) await_room();
+        if (!take_tile(slots_[i])) break;
+        for (const Step& step : plan_.steps) launch_step(slots_[i], step);
+        slots_[i].queue.flush();
     }
-    if (progress)
-        for (size_t tile = count - std::min(count, tiles_ahead); tile < count; ++tile) await(tile, progress);
+    if (progress) launches_.front().await_all();
     queue_.finish();
-    for (size_t tile = 0; tile < count; ++tile) collect(tile);
+    launches_.front().measure_all();
 }
 
 /// Each core works on a tile of its own, and takes the next one itself.
 void Scheduler::deal_to_cores(const std::function<void(double)>& progress) {
-    Deal tiles{plan_.tiles.size(), workers_.size(), {}, [this](size_t tile) { collect(tile); }, progress};
-    tiles.launch = [this](size_t tile, size_t worker) {
-        Slot& slot = slots_[worker];
-        enqueue(tile, slot);
-        return slot.busy.back();
+    Deal turns{workers_.size(), {}, {}, progress};
+    turns.launch = [this](size_t worker) { return launch_turn(worker); };
+    turns.ended = [this](size_t worker) {
+        launches_[worker].measure_all();
+        return share_;
     };
-    deal(tiles);
+    deal(turns);
 }
 
-void Scheduler::await(size_t tile, const std::function<void(double)>& progress) {
-    launched_[tile].back().event.wait();
-    collect(tile);
-    if (progress) progress(static_cast<double>(tile + 1) / static_cast<double>(plan_.tiles.size()));
+/// What is taken too early another device cannot take.
+void Scheduler::await_room() {
+    while (!due_.empty() && done_items_ >= due_.front()) due_.pop_front();
+    while (due_.size() >= slots_.size()) {
+        launches_.front().await_oldest();
+        while (!due_.empty() && done_items_ >= due_.front()) due_.pop_front();
+    }
 }
 
-void Scheduler::enqueue(size_t index, Slot& slot) {
-    const Tile& tile = plan_.tiles[index];
-    slot.first_group = first_groups_[index];
-    slot.first_block = first_blocks_[index];
-    for (const Step& step : plan_.steps) {
-        if (chunks_ && meets_spheres(step.kernel, plan_))
-            launch_chunks(index, step, slot);
-        else
-            launch(index, {step, tile, slot.buffers, slot.first_group, slot.first_block, &resident_spheres(step)},
-                   slot);
-        if (step.kernel == Kernel::resolve && !plan_.write_in_place) read_planes(step.output, tile, slot);
+bool Scheduler::take_tile(Slot& slot) {
+    const std::optional<size_t> next = tiles_->take();
+    if (!next) return false;
+    slot.tile = *next;
+    slot.step = 0;
+    slot.item = 0;
+    const Tile& tile = tile_of(slot);
+    taken_items_ += plan_.items(plan_.steps.back().kernel, tile);
+    due_.push_back(taken_items_);
+    const auto inside = [](int from, int blocks, int size) { return std::min(blocks * BLOCK_SIDE, size - from); };
+    measured_.tiles += 1;
+    measured_.pixels += int64_t{inside(tile.x, tile.blocks_x, plan_.image.width)} *
+                        inside(tile.y, tile.blocks / tile.blocks_x, plan_.image.height);
+    return true;
+}
+
+/// All of a tile, unless a launch must be cut: then what comes after a part waits until that has been measured.
+cl::Event Scheduler::launch_turn(size_t worker) {
+    Slot& slot = slots_[worker];
+    if (slot.step == plan_.steps.size() && !take_tile(slot)) return {};
+    bool whole = true;
+    while (whole && slot.step < plan_.steps.size()) {
+        const Step& step = plan_.steps[slot.step];
+        const Work all = work(slot, step);
+        slot.item += launches_[worker].launch_part(slot.queue, all, slot.item, slot.busy);
+        whole = slot.item == all.items;
+        if (whole) end_step(step, slot);
     }
     slot.queue.flush();
+    return slot.busy.back();
+}
+
+void Scheduler::launch_step(Slot& slot, const Step& step) {
+    if (chunks_ && meets_spheres(step.kernel, plan_))
+        launch_chunks(step, slot);
+    else
+        launches_.front().launch(slot.queue, work(slot, step), slot.busy);
+    end_step(step, slot);
+}
+
+TileLaunch Scheduler::launch_of(const Slot& slot, const Step& step) const {
+    return {
+        step, tile_of(slot), slot.buffers, first_groups_[slot.tile], first_blocks_[slot.tile], &resident_spheres(step)};
+}
+
+/// What a step launches for the slot's tile; all of the tile's arguments are set.
+Work Scheduler::work(const Slot& slot, const Step& step) {
+    const auto variant = static_cast<size_t>(step.variant);
+    binder_->bind(kernels_[variant], launch_of(slot, step));
+    return work_of(slot, step);
+}
+
+Work Scheduler::work_of(const Slot& slot, const Step& step) const {
+    const auto variant = static_cast<size_t>(step.variant);
+    const bool last = &step == &plan_.steps.back();
+    const int tag = step.variant + (last ? static_cast<int>(kernels_.size()) : 0);
+    return {kernels_[variant], paces_[variant], tag, plan_.items(step.kernel, tile_of(slot)), plan_.local_size, units_};
+}
+
+void Scheduler::end_step(const Step& step, Slot& slot) {
+    if (step.kernel == Kernel::resolve && !plan_.write_in_place) read_planes(step.output, tile_of(slot), slot);
+    ++slot.step;
+    slot.item = 0;
 }
 
 const SphereBuffers& Scheduler::resident_spheres(const Step& step) const {
@@ -132,16 +192,19 @@ const SphereBuffers& Scheduler::resident_spheres(const Step& step) const {
 }
 
 /// One launch for each chunk; of these only one is on the device at a time.
-void Scheduler::launch_chunks(size_t index, const Step& step, Slot& slot) {
+void Scheduler::launch_chunks(const Step& step, Slot& slot) {
     for (int chunk = 0; chunk < chunks_->chunks(); ++chunk) {
         queue_.finish();
         const SphereBuffers spheres = chunks_->seen(step.light, chunk);
-        launch(index,
-               {step, plan_.tiles[index], slot.buffers, slot.first_group, slot.first_block, &spheres, chunk == 0},
-               slot);
+        TileLaunch launch = launch_of(slot, step);
+        launch.spheres = &spheres;
+        launch.first_chunk = chunk == 0;
+        binder_->bind(kernels_[static_cast<size_t>(step.variant)], launch);
+        launches_.front().launch(slot.queue, work_of(slot, step), slot.busy);
         queue_.finish();
+        launches_.front().measure_all();
     }
-    if (step.kernel == Kernel::intersect_closest && plan_.albedos_of_rays) look_up_albedos(plan_.tiles[index], slot);
+    if (step.kernel == Kernel::intersect_closest && plan_.albedos_of_rays) look_up_albedos(tile_of(slot), slot);
 }
 
 void Scheduler::look_up_albedos(const Tile& tile, Slot& slot) {
@@ -153,17 +216,6 @@ void Scheduler::look_up_albedos(const Tile& tile, Slot& slot) {
 
 size_t Scheduler::groups(Kernel kernel, const Tile& tile) const {
     return static_cast<size_t>((plan_.items(kernel, tile) + plan_.local_size - 1) / plan_.local_size);
-}
-
-void Scheduler::launch(size_t index, const TileLaunch& what, Slot& slot) {
-    const int variant = what.step.variant;
-    cl::Kernel& kernel = kernels_[static_cast<size_t>(variant)];
-    binder_->bind(kernel, what);
-    const size_t local = static_cast<size_t>(plan_.local_size), global = groups(what.step.kernel, what.tile) * local;
-    cl::Event done;
-    slot.queue.enqueueNDRangeKernel(kernel, cl::NullRange, global, local, &slot.busy, &done);
-    slot.busy = {done};
-    launched_[index].push_back({variant, done});
 }
 
 void Scheduler::read_planes(Output output, const Tile& tile, Slot& slot) {
@@ -185,13 +237,18 @@ void Scheduler::read_planes(Output output, const Tile& tile, Slot& slot) {
     slot.busy = {all};
 }
 
-/// Adds up what the launches of a tile took that has ended.
-void Scheduler::collect(size_t tile) {
-    for (const Launched& l : launched_[tile]) {
-        measured_.launches[static_cast<size_t>(l.variant)] += 1;
-        measured_.seconds[static_cast<size_t>(l.variant)] += seconds_of(l.event);
-    }
-    launched_[tile].clear();
+/// Adds up what launches took. By those of the last step, whose tags are beyond the variants, it is known how much is
+/// done.
+void Scheduler::ended(int tag, int64_t items, double seconds) {
+    const bool last = static_cast<size_t>(tag) >= kernels_.size();
+    const size_t variant = static_cast<size_t>(tag) - (last ? kernels_.size() : 0);
+    measured_.launches[variant] += 1;
+    measured_.seconds[variant] += seconds;
+    measured_.longest[variant] = std::max(measured_.longest[variant], seconds);
+    if (!last) return;
+    done_items_ += items;
+    share_ = tiles_->done(this, static_cast<double>(done_items_) / static_cast<double>(last_items_));
+    if (tell_) (*tell_)(share_);
 }
 
 /// A buffer over host memory shows its values there once it is mapped (OpenCL 1.2, 5.2.1); on a device that shares the

@@ -1,6 +1,7 @@
 // Runs a plan: tiles through the chain of kernels, several at once, chained by events.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -10,56 +11,65 @@
 #include "film.h"
 #include "launcher.h"
 #include "plan.h"
+#include "tile_queue.h"
 #include "workers.h"
 
 namespace gnomon {
 
-/// What a run measured: for each variant of the plan launches and device seconds, and how many eye rays hit.
+/// What a run measured: for each variant of the plan launches, device seconds, and those of the longest launch; and how
+/// many eye rays hit.
 struct Measured {
     std::vector<int> launches;
-    std::vector<double> seconds;
-    int64_t hits = 0;
+    std::vector<double> seconds, longest;
+    int tiles = 0;  ///< that were taken
+    int64_t pixels = 0, hits = 0;
     std::vector<int> undecided;  ///< pixels, as places in the image row by row, in any order
 };
 
 /// One run of one plan. The film must have the plan's size and the planes that its steps resolve.
 class Scheduler {
   public:
-    /// `tiles` are the buffers of the tiles under way, `kernels` the plan's variants, built.
+    /// `tiles` are the buffers of the tiles under way, `kernels` the plan's variants, built; `pace` is that of the
+    /// plan's workers.
     Scheduler(const Workers& workers, const DeviceMemory& memory, const Plan& plan, const SceneBuffers& scene,
-              const std::vector<TileBuffers>& tiles, std::vector<cl::Kernel> kernels, Film& film);
+              const std::vector<TileBuffers>& tiles, std::vector<cl::Kernel> kernels, Pace& pace, const Stop* stop,
+              Film& film);
 
     /// Where the spheres are if the plan cuts the scene.
     void take_spheres_from(ChunkedSpheres& chunks) { chunks_ = &chunks; }
 
-    /// Launches everything, after these events, and waits for it; the film is then complete.
-    Measured run(const std::vector<cl::Event>& after, const std::function<void(double)>& progress);
+    /// Launches everything that the queue hands out, after these events, and waits for it.
+    Measured run(TileQueue& tiles, const std::vector<cl::Event>& after, const std::function<void(double)>& progress);
 
   private:
-    /// A tile under way: the queue of its worker, its buffers, and the events after which they are free.
+    /// A tile under way: the queue of its worker, its buffers, the events after which they are free, and what is to be
+    /// launched next.
     struct Slot {
         cl::CommandQueue queue;
         TileBuffers buffers;
         std::vector<cl::Event> busy;
-        int first_group;  // of its work-groups, in hit_counts_
-        int first_block;  // of its blocks, in all tiles'
-    };
-    struct Launched {
-        int variant;
-        cl::Event event;
+        size_t tile = 0;
+        size_t step = 0;   // of the plan's; none is left when it is their number
+        int64_t item = 0;  // of the step's work-items
     };
 
     void run_ahead(const std::function<void(double)>& progress);
     void deal_to_cores(const std::function<void(double)>& progress);
-    void enqueue(size_t tile, Slot& slot);
+    bool take_tile(Slot& slot);
+    void await_room();
+    cl::Event launch_turn(size_t worker);
+    void launch_step(Slot& slot, const Step& step);
     size_t groups(Kernel kernel, const Tile& tile) const;
-    void launch(size_t tile, const TileLaunch& what, Slot& slot);
-    void launch_chunks(size_t tile, const Step& step, Slot& slot);
+    const Tile& tile_of(const Slot& slot) const { return plan_.tiles[slot.tile]; }
+    TileLaunch launch_of(const Slot& slot, const Step& step) const;
+    Work work(const Slot& slot, const Step& step);
+    Work work_of(const Slot& slot, const Step& step) const;
+    void end_step(const Step& step, Slot& slot);
+    void launch_chunks(const Step& step, Slot& slot);
     void look_up_albedos(const Tile& tile, Slot& slot);
     const SphereBuffers& resident_spheres(const Step& step) const;
     void read_planes(Output output, const Tile& tile, Slot& slot);
-    void await(size_t tile, const std::function<void(double)>& progress);
-    void collect(size_t tile);
+    void ended(int tag, int64_t items, double seconds);
     void map_film();
 
     cl::CommandQueue queue_;                 // of the whole device
@@ -68,13 +78,21 @@ class Scheduler {
     const SceneBuffers& scene_;
     ChunkedSpheres* chunks_ = nullptr;
     std::vector<cl::Kernel> kernels_;
+    std::vector<KernelPace*> paces_;  // of the kernels
+    int units_;                       // compute units of a worker
     Film& film_;
+    TileQueue* tiles_ = nullptr;
     std::vector<Slot> slots_;
-    std::vector<std::vector<Launched>> launched_;  // for each tile
-    cl::Buffer hit_counts_;                        // for each work-group of intersect_closest, tile after tile
+    std::vector<Launches> launches_;  // of each worker
+    cl::Buffer hit_counts_;           // for each work-group of intersect_closest, tile after tile
     UndecidedRays undecided_;
     std::vector<int> first_groups_, first_blocks_;  // of each tile, in hit_counts_ and in all tiles' blocks
     int groups_ = 0;                                // of all tiles
+    // Work-items of the last step: of all tiles, of those that were taken, and those that have ended.
+    int64_t last_items_ = 0, taken_items_ = 0, done_items_ = 0;
+    std::deque<int64_t> due_;  // done_items_ when each tile under way has ended, in order
+    double share_ = 0;         // of all tiles, that is done
+    const std::function<void(double)>* tell_ = nullptr;
     std::optional<Binder> binder_;
     Measured measured_;
 };

@@ -6,21 +6,31 @@
 
 namespace gnomon {
 
-namespace {
-
 using Json = nlohmann::ordered_json;
+
+namespace {
 
 double mrays_per_second(int64_t rays, double seconds) {
     return seconds > 0 ? 1e-6 * static_cast<double>(rays) / seconds : 0;
 }
 
+Json to_json(const DeviceShare& s) {
+    Json json = to_json(s.device);
+    json["tiles"] = s.tiles;
+    json["rays"] = s.rays;
+    json["trace_seconds"] = s.seconds;
+    return json;
+}
+
 Json to_json(const KernelStats& k) {
-    return {{"kernel", k.kernel},
+    return {{"device", k.device},
+            {"kernel", k.kernel},
             {"options", k.options},
             {"build_seconds", k.build_seconds},
             {"from_cache", k.from_cache},
             {"launches", k.launches},
             {"seconds", k.seconds},
+            {"longest_launch_seconds", k.longest},
             {"rays", k.rays},
             {"mrays_per_second", mrays_per_second(k.rays, k.seconds)}};
 }
@@ -56,11 +66,11 @@ Json to_json(const DeviceInfo& d) {
             {"shares_memory", d.shares_memory}};
 }
 
-Json to_json(const RunStats& run, const Scene& scene, const DeviceInfo& device) {
+Json to_json(const RunStats& run, const Scene& scene, const std::vector<DeviceInfo>& devices) {
     const RenderStats& r = run.render;
     Json json;
     json["program"] = "gnomon " GNOMON_VERSION;
-    json["device"] = to_json(device);
+    json["device"] = to_json(devices.front());
     json["scene"] = {{"file", run.scene_path}, {"sha1", scene.sha1}, {"spheres", r.spheres}, {"lights", r.lights}};
     json["accuracy"] = to_string(r.accuracy);
     json["image"] = {{"width", scene.image.width}, {"height", scene.image.height}};
@@ -70,27 +80,39 @@ Json to_json(const RunStats& run, const Scene& scene, const DeviceInfo& device) 
     json["seconds"] = {{"load", run.load_seconds},     {"device", run.device_seconds}, {"build", r.build_seconds},
                        {"prepare", r.prepare_seconds}, {"trace", r.trace_seconds},     {"write", run.write_seconds},
                        {"check", run.check_seconds}};
+    json["longest_launch_seconds"] = r.longest_launch;
     json["peak_bytes"] = r.peak_bytes;
     json["rays"] = r.rays;
     json["hits"] = r.hits;
     json["mrays_per_second"] = mrays_per_second(r.rays, r.trace_seconds);
     json["error"] = to_json(run.check);
+    json["devices"] = Json::array();
+    for (const DeviceShare& share : r.shares) json["devices"].push_back(to_json(share));
     json["kernels"] = Json::array();
     for (const KernelStats& kernel : r.kernels) json["kernels"].push_back(to_json(kernel));
     return json;
 }
 
-std::string summary(const RunStats& run, const DeviceInfo& device, const ImageSize& image) {
+std::string summary(const RunStats& run, const std::vector<DeviceInfo>& devices, const ImageSize& image) {
+    const std::string others = devices.size() > 1 ? fmt::format(" and {} more", devices.size() - 1) : "";
     const RenderStats& r = run.render;
     const Check& c = run.check;
     return fmt::format(
-        "{}: {}x{}, {} spheres, {} lights, {}; load {:.3f} s, device {:.3f}, build {:.3f}, prepare {:.3f}, trace "
+        "{}{}: {}x{}, {} spheres, {} lights, {}; load {:.3f} s, device {:.3f}, build {:.3f}, prepare {:.3f}, trace "
         "{:.3f}, "
         "write {:.3f}; {:.0f} Mrays/s, of {} pixels {} wrong, else within {:.1e} of double",
-        device.name, image.width, image.height, r.spheres, r.lights, to_string(r.accuracy), run.load_seconds,
-        run.device_seconds, r.build_seconds, r.prepare_seconds, r.trace_seconds, run.write_seconds,
+        devices.front().name, others, image.width, image.height, r.spheres, r.lights, to_string(r.accuracy),
+        run.load_seconds, run.device_seconds, r.build_seconds, r.prepare_seconds, r.trace_seconds, run.write_seconds,
         mrays_per_second(r.rays, r.trace_seconds), c.pixels, std::max(c.wrong_ids, c.flips),
         std::max(c.max_radiance, c.max_distance));
+}
+
+std::string shares(const RenderStats& stats) {
+    std::string line;
+    for (const DeviceShare& share : stats.shares)
+        line += fmt::format("{}{}: {} tiles, {:.2f} Mrays in {:.3f} s", line.empty() ? "" : "; ", share.device.number(),
+                            share.tiles, 1e-6 * static_cast<double>(share.rays), share.seconds);
+    return line;
 }
 
 }  // namespace gnomon

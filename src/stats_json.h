@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "check.h"
 #include "render.h"
@@ -18,9 +19,11 @@ struct RunStats {
 };
 
 nlohmann::ordered_json to_json(const DeviceInfo& device);
-nlohmann::ordered_json to_json(const RunStats& run, const Scene& scene, const DeviceInfo& device);
+nlohmann::ordered_json to_json(const RunStats& run, const Scene& scene, const std::vector<DeviceInfo>& devices);
 
 /// One line: device, picture, seconds a stage, and the speed with its error.
-std::string summary(const RunStats& run, const DeviceInfo& device, const ImageSize& image);
+std::string summary(const RunStats& run, const std::vector<DeviceInfo>& devices, const ImageSize& image);
+/// One line: which device did how much.
+std::string shares(const RenderStats& stats);
 
 }  // namespace gnomon

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -16,6 +17,26 @@ namespace {
 
 constexpr const char* writing_failed = "cannot write the file";
 
+/// The names of the files that are there, for remove_temporary_files(); null where there is none.
+constexpr size_t most_at_once = 16;
+std::atomic<const char*> names[most_at_once];
+static_assert(std::atomic<const char*>::is_always_lock_free);  // or signal handlers could not touch them
+
+void remember(const char* name) {
+    for (std::atomic<const char*>& place : names) {
+        const char* none = nullptr;
+        if (place.compare_exchange_strong(none, name)) return;
+    }
+    throw Error(Blame::run, "too many files are written at once", name);
+}
+
+void forget(const char* name) {
+    for (std::atomic<const char*>& place : names) {
+        const char* same = name;
+        place.compare_exchange_strong(same, nullptr);
+    }
+}
+
 std::string reason(int error_number) { return std::generic_category().message(error_number); }
 
 }  // namespace
@@ -25,14 +46,21 @@ TemporaryFile::TemporaryFile(const fs::path& target)
     : target_(target),
       path_(target.parent_path() /
             ("." + target.stem().string() + "." + std::to_string(getpid()) + ".tmp" + target.extension().string())),
-      stream_(std::fopen(path_.c_str(), "w+b")) {
-    if (!stream_) throw Error(Blame::run, writing_failed, path_.string(), reason(errno));
+      stream_(nullptr) {
+    remember(path_.c_str());
+    stream_ = std::fopen(path_.c_str(), "w+b");
+    if (stream_) return;
+    const int error = errno;
+    forget(path_.c_str());
+    throw Error(Blame::run, writing_failed, path_.string(), reason(error));
 }
 
 TemporaryFile::~TemporaryFile() {
     if (stream_) std::fclose(stream_);
     std::error_code ignored;  // a destructor has nobody to tell
-    if (!path_.empty()) fs::remove(path_, ignored);
+    if (path_.empty()) return;
+    fs::remove(path_, ignored);
+    forget(path_.c_str());
 }
 
 void TemporaryFile::close() {
@@ -45,7 +73,13 @@ void TemporaryFile::move_to_target() {
     std::error_code error;
     fs::rename(path_, target_, error);
     if (error) throw Error(Blame::run, writing_failed, target_.string(), error.message());
+    forget(path_.c_str());
     path_.clear();
+}
+
+void remove_temporary_files() noexcept {
+    for (const std::atomic<const char*>& place : names)
+        if (const char* const name = place) unlink(name);
 }
 
 void check_folder(const std::string& file) {

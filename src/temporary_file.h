@@ -28,6 +28,9 @@ class TemporaryFile {
     std::FILE* stream_;
 };
 
+/// Removes those that are there now, whose objects are of no use afterwards. May be called by a signal handler.
+void remove_temporary_files() noexcept;
+
 /// Throws Error(Blame::input) unless `path` names a file, there or not, in a folder that can be written to.
 void check_folder(const std::string& path);
 

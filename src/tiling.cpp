@@ -72,18 +72,22 @@ std::vector<Tile> cut_squares(const ImageSize& image, int rays) {
     return tiles;
 }
 
-/// What intersect_closest hands on to the lights' launches (dir, normal, t, id) should still be in the core's cache
-/// when they read it. That of one and a half times as many rays as fit was found the fastest: fewer mean more launches.
 /// To the end tiles become smaller, half of a worker's share of the rest, so that all workers end at about the same
 /// time (guided self-scheduling, Polychronopoulos and Kuck 1987, with half the share).
+std::vector<Tile> cut_for_workers(const ImageSize& image, int workers, int64_t most) {
+    return cut(image, [=](int64_t blocks_left) {
+        return std::clamp(blocks_left * BLOCK_RAYS / (2 * workers), std::min(least_core_tile_rays, most), most);
+    });
+}
+
+/// What intersect_closest hands on to the lights' launches (dir, normal, t, id) should still be in the core's cache
+/// when they read it. That of one and a half times as many rays as fit was found the fastest: fewer mean more launches.
 std::vector<Tile> cut_for_cores(const ImageSize& image, int workers, int real_bytes, const DeviceLimits& limits) {
     const int64_t cache =
         limits.core_cache_bytes > 0 ? static_cast<int64_t>(limits.core_cache_bytes) : assumed_core_cache;
     const int64_t handed_on = (3 + 3 + 1) * real_bytes + 4;
     const int64_t most = std::clamp<int64_t>(cache * 3 / 2 / handed_on, least_core_tile_rays, cpu_tile_rays);
-    return cut(image, [=](int64_t blocks_left) {
-        return std::clamp(blocks_left * BLOCK_RAYS / (2 * workers), least_core_tile_rays, most);
-    });
+    return cut_for_workers(image, workers, most);
 }
 
 /// A core's own cache holds one tile, and there is nothing else for it to do meanwhile.
@@ -109,6 +113,10 @@ int Tiling::largest() const {
 }
 
 Tiling one_by_one(const ImageSize& image, int rays) { return {cut_alike(image, rays), 1, 1}; }
+
+Tiling for_team(const ImageSize& image, int workers, int rays) {
+    return {cut_for_workers(image, workers, std::min(rays, cpu_tile_rays)), 1, 1};
+}
 
 Tiling choose_tiling(const ImageSize& image, int asked, bool even, int real_bytes, const DeviceLimits& limits) {
     check(asked);

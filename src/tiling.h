@@ -16,6 +16,9 @@ struct Tiling {
 /// Tiles of `rays` at most, under way one after the other.
 Tiling one_by_one(const ImageSize& image, int rays);
 
+/// Tiles of `rays` at most for so many workers on several devices, smaller to the end.
+Tiling for_team(const ImageSize& image, int workers, int rays);
+
 /// Tiles as the device likes them best, or of `asked` rays at most if that is not 0. Cores work on a tile each where
 /// that pays: each gets two or more, and no tile may take many times as long as another of as many rays (`even`).
 /// Throws Error(Blame::input) for a tile that cannot be.

@@ -1,5 +1,7 @@
 #include "workers.h"
 
+#include <algorithm>
+
 namespace gnomon {
 
 namespace {
@@ -23,7 +25,8 @@ cl::CommandQueue make_queue(const cl::Context& context, const cl::Device& device
 
 }  // namespace
 
-Workers::Workers(const DeviceInfo& info) : devices_(open(info)), context_(devices_) {
+Workers::Workers(const DeviceInfo& info)
+    : devices_(open(info)), context_(devices_), units_(std::max(info.compute_units, 1)) {
     for (const cl::Device& device : devices_) queues_.push_back(make_queue(context_, device, info));
 }
 

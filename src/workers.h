@@ -23,11 +23,14 @@ class Workers {
     const cl::CommandQueue& whole() const { return queues_.front(); }
     /// The queues for so many workers: for 1 the whole device's, else those of the first cores.
     std::vector<cl::CommandQueue> queues(int workers) const;
+    /// Compute units of each of them.
+    int units(int workers) const { return workers == 1 ? units_ : 1; }
 
   private:
     std::vector<cl::Device> devices_;
     cl::Context context_;
     std::vector<cl::CommandQueue> queues_;  // of each device
+    int units_;
 };
 
 }  // namespace gnomon

@@ -42,7 +42,7 @@ class DeviceSpheres {
           frame(choose_frame(scene, survey)),
           bench_(bench),
           memory_(bench.context, bench.info.shares_memory),
-          launcher_(bench.queue, bench.programs),
+          launcher_(bench.queue, bench.programs, pace_, std::max(bench.info.compute_units, 1)),
           rows_(sphere_rows(scene, frame, 0, survey.count)) {
         plan_.local_size = bench.local;
         plan_.max_slices = sharing.slices;
@@ -70,6 +70,7 @@ class DeviceSpheres {
   private:
     Bench& bench_;
     DeviceMemory memory_;
+    Pace pace_;
     Launcher launcher_;
     Plan plan_;
     SphereRows rows_;

@@ -43,7 +43,7 @@ class Bench {
         : info(of),
           device(open_device(of)),
           context(device),
-          queue(context, device),
+          queue(context, device, CL_QUEUE_PROFILING_ENABLE),
           programs(context, {device}, of),
           local(of.type == DeviceType::cpu ? 16 : 64) {}
 
@@ -52,6 +52,7 @@ class Bench {
     void launch(cl::Kernel kernel, int items, const Arguments&... arguments) {
         cl_uint index = 0;
         (kernel.setArg(index++, arguments), ...);
+        kernel.setArg(index, 0);  // the first work-item
         queue.enqueueNDRangeKernel(kernel, cl::NullRange, static_cast<size_t>((items / local + 1) * local),
                                    static_cast<size_t>(local));
     }

@@ -1,8 +1,7 @@
-// Tiles are dealt each once, and errors come out where the caller waits.
+// Workers are dealt one thing after the other, and errors come out where the caller waits.
 #include "dealer.h"
 
 #include <chrono>
-#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -39,39 +38,43 @@ void on_markers(Test test) {
 
 }  // namespace
 
-TEST_CASE("dealer: each tile is launched once and ends once, in order for each worker", "[dealer]") {
+TEST_CASE("dealer: all is launched, each worker has one thing to do at a time, and its end is told", "[dealer]") {
     on_markers([](Markers& markers) {
         for (const size_t tiles : {0, 1, 2, 3, 100})
             for (const size_t workers : {1, 2, 7}) {
-                std::vector<size_t> launched, under_way(workers);
-                std::set<size_t> ended;
+                size_t launched = 0;
+                std::vector<bool> under_way(workers);
+                size_t ended = 0;
                 std::vector<double> shares;
-                Deal what{tiles, workers, {}, [&](size_t tile) { ended.insert(tile); }, {}};
-                what.launch = [&](size_t tile, size_t worker) {
-                    CHECK(worker < workers);
-                    if (under_way.at(worker) > 0) CHECK(ended.count(under_way[worker] - 1) == 1);
-                    under_way[worker] = tile + 1;
-                    launched.push_back(tile);
+                Deal what{workers, {}, {}, [&](double share) { shares.push_back(share); }};
+                what.launch = [&](size_t worker) {
+                    CHECK(!under_way.at(worker));
+                    if (launched == tiles) return cl::Event();
+                    ++launched;
+                    under_way[worker] = true;
                     return markers.mark();
                 };
-                what.progress = [&](double share) { shares.push_back(share); };
+                what.ended = [&](size_t worker) {
+                    CHECK(under_way.at(worker));
+                    under_way[worker] = false;
+                    return static_cast<double>(++ended) / static_cast<double>(tiles);
+                };
                 deal(what);
-                REQUIRE(launched.size() == tiles);
-                for (size_t tile = 0; tile < tiles; ++tile) CHECK(launched[tile] == tile);
-                CHECK(ended.size() == tiles);
+                CHECK(launched == tiles);
+                CHECK(ended == tiles);
                 CHECK(std::is_sorted(shares.begin(), shares.end()));
                 if (tiles > 0) CHECK(shares.back() == 1);
             }
     });
 }
 
-TEST_CASE("dealer: after an error no tile is launched, and none is under way", "[dealer]") {
+TEST_CASE("dealer: after an error nothing is launched, and nothing is under way", "[dealer]") {
     on_markers([](Markers& markers) {
         for (const size_t bad : {0, 1, 5}) {
             size_t launched = 0, ended = 0;
-            Deal what{50, 3, {}, [&](size_t) { ++ended; }, {}};
-            what.launch = [&](size_t tile, size_t) {
-                if (tile == bad) throw std::runtime_error("launch");
+            Deal what{3, {}, [&](size_t) { return static_cast<double>(++ended); }, {}};
+            what.launch = [&](size_t) {
+                if (launched == bad) throw std::runtime_error("launch");
                 ++launched;
                 return markers.mark();
             };
@@ -79,8 +82,9 @@ TEST_CASE("dealer: after an error no tile is launched, and none is under way", "
             CHECK(launched == bad);
             CHECK(ended == launched);
         }
-        size_t ended = 0;
-        Deal what{50, 3, [&](size_t, size_t) { return markers.mark(); }, [&](size_t) { ++ended; }, {}};
+        size_t launched = 0, ended = 0;
+        Deal what{3, {}, [&](size_t) { return static_cast<double>(++ended); }, {}};
+        what.launch = [&](size_t) { return ++launched > 50 ? cl::Event() : markers.mark(); };
         what.progress = [](double) { throw std::runtime_error("progress"); };
         CHECK_THROWS_WITH(deal(what), "progress");
         const size_t then = ended;
@@ -92,8 +96,8 @@ TEST_CASE("dealer: after an error no tile is launched, and none is under way", "
 TEST_CASE("dealer: a command that fails is an error", "[dealer]") {
     on_markers([](Markers& markers) {
         cl::UserEvent before(markers.context);
-        Deal what{2, 2, {}, [](size_t) {}, {}};
-        what.launch = [&](size_t, size_t) {
+        Deal what{2, {}, [](size_t) { return 0.0; }, {}};
+        what.launch = [&](size_t) {
             const std::vector<cl::Event> wait{before};
             cl::Event end;
             markers.queue.enqueueMarkerWithWaitList(&wait, &end);

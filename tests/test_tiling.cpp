@@ -132,6 +132,8 @@ TEST_CASE("tiling: what is used is said, the bits are the same, and memory is wh
             std::vector<double> shares;
             RenderOptions options = all_outputs();
             options.progress = [&](double share) { shares.push_back(share); };
+            cores.render(scene, all_outputs(), first);  // how long launches take is found out
+            whole.render(scene, all_outputs(), second);
             const RenderStats split = cores.render(scene, options, first), one = whole.render(scene, options, second);
             CHECK(split.workers == std::max(device.sub_devices <= 8 ? device.sub_devices : 1, 1));
             CHECK(one.workers == 1);

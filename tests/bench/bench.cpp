@@ -82,7 +82,9 @@ std::vector<bench::NamedScene> chosen(const Options& o) {
 /// One process's measurements: on one device, and as many cores as the process has.
 class Bench {
   public:
-    Bench(const DeviceInfo& device, Options& options) : device_(device), options_(options), renderer_(device) {
+    Bench(const std::vector<DeviceInfo>& devices, Options& options)
+        : device_(devices.front()), options_(options), renderer_(devices) {
+        const DeviceInfo& device = device_;
         const cpu_set_t cpus = bench::own_cpus();
         options_.measure.threads = CPU_COUNT(&cpus);
         options_.measure.with_peer = !options.no_peer;
@@ -145,8 +147,10 @@ class Bench {
 
 Json run_here(Options& options) {
     const std::vector<bench::NamedScene> scenes = chosen(options);
-    const std::vector<DeviceInfo> devices = list_devices();
-    return Bench(choose_device(devices, options.device), options).run(scenes);
+    std::vector<std::string> requests;
+    if (!options.device.empty()) requests.push_back(options.device);
+    const std::vector<DeviceInfo> devices = choose_devices(list_devices(), requests);
+    return Bench(devices, options).run(scenes);
 }
 
 /// This program again, on so many cores: threads are made once in a process's life, so it must begin there. PoCL goes

@@ -1,0 +1,190 @@
+#include "device_renderer.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "certify.h"
+#include "clock.h"
+#include "error.h"
+#include "refine.h"
+
+namespace gnomon {
+
+namespace {
+
+/// PoCL compiles a kernel anew for launches of more work-items than this.
+int64_t most_items(const DeviceInfo& device) {
+    return device.type == DeviceType::cpu ? 65535 : std::numeric_limits<int64_t>::max();
+}
+
+/// How often each variant's kernel was given all the hits: once a light.
+int64_t lights_of(const Plan& plan, size_t variant) {
+    return std::count_if(plan.steps.begin(), plan.steps.end(), [&](const Step& step) {
+        return static_cast<size_t>(step.variant) == variant && step.light >= 0;
+    });
+}
+
+/// One launch of shade_light for each light that shines.
+int64_t shaded_lights(const Plan& plan) {
+    return std::count_if(plan.steps.begin(), plan.steps.end(),
+                         [](const Step& step) { return step.kernel == Kernel::shade_light; });
+}
+
+void add(const Plan& plan, const std::vector<Launcher::Cost>& costs, RenderStats& stats) {
+    for (const Launcher::Cost& cost : costs) {
+        const auto at = std::find(plan.variants.begin(), plan.variants.end(), cost.variant) - plan.variants.begin();
+        KernelStats& kernel = stats.kernels[static_cast<size_t>(at)];
+        kernel.launches += cost.launches;
+        kernel.seconds += cost.seconds;
+        kernel.longest = std::max(kernel.longest, cost.longest);
+    }
+}
+
+void add(const Plan& plan, const Measured& measured, RenderStats& stats) {
+    stats.pixels = measured.pixels;
+    stats.hits = measured.hits;
+    for (size_t i = 0; i < plan.variants.size(); ++i) {
+        KernelStats& kernel = stats.kernels[i];
+        if (measured.launches[i] == 0) continue;
+        kernel.launches = measured.launches[i];
+        kernel.seconds = measured.seconds[i];
+        kernel.longest = measured.longest[i];
+        const int64_t lights = lights_of(plan, i);
+        kernel.rays = lights > 0 ? lights * measured.hits : measured.pixels;
+    }
+    stats.rays = stats.pixels + (plan.shadows != Shadows::off ? shaded_lights(plan) * stats.hits : 0);
+}
+
+}  // namespace
+
+RenderStats planned(const Plan& plan, const Scene& scene) {
+    RenderStats stats;
+    stats.accuracy = plan.accuracy;
+    stats.lanes = plan.lanes;
+    stats.packets = plan.packets;
+    stats.tiles = static_cast<int>(plan.tiles.size());
+    stats.workers = plan.workers;
+    stats.tile_rays = int64_t{plan.tile_blocks} * BLOCK_RAYS;
+    stats.planned_bytes = plan.memory.peak_bytes;
+    stats.pixels = int64_t{plan.image.width} * plan.image.height;
+    stats.spheres = plan.spheres;
+    stats.lights = static_cast<int64_t>(scene.lights.size());
+    return stats;
+}
+
+DeviceRenderer::DeviceRenderer(const DeviceInfo& info)
+    : info_(info),
+      workers_(info),
+      programs_(workers_.context(), workers_.devices(), info),
+      memory_(workers_.context(), info.shares_memory),
+      pace_(most_items(info)),
+      core_pace_(most_items(info)) {}
+
+RenderStats DeviceRenderer::render(const Job& job, TileQueue& queue, Film& film) try {
+    if (!job.options.same_spheres) still_.reset();
+    RenderStats stats = planned(job.plan, job.scene);
+    const double start = now();
+    const std::vector<cl::Kernel> kernels = build(job, stats);
+    stats.build_seconds = now() - start;
+    memory_.expect(job.plan.memory.peak_bytes, job.plan.memory.cut);
+    for (Pace* pace : {&pace_, &core_pace_}) pace->expect(job.options.longest_launch, job.plan.spheres);
+    run(job, kernels, queue, film, stats);
+    stats.peak_bytes = memory_.peak();
+    stats.warnings = programs_.take_warnings();
+    for (const KernelStats& kernel : stats.kernels)
+        stats.longest_launch = std::max(stats.longest_launch, kernel.longest);
+    if (job.plan.memory.cut) still_.reset();
+    return stats;
+} catch (const cl::Error& error) {
+    throw Error(Blame::run, describe(error), info_.number() + " " + info_.name,
+                "a smaller --size or --tile, or another --device, may help");
+}
+
+std::vector<cl::Kernel> DeviceRenderer::build(const Job& job, RenderStats& stats) {
+    std::vector<cl::Kernel> kernels;
+    for (const Variant& variant : job.plan.variants) {
+        check(job.options.stop);
+        const bool known = programs_.has(variant);
+        const BuiltKernel& built = programs_.get(variant);
+        kernels.push_back(built.kernel);
+        stats.kernels.push_back({info_.number(), to_string(variant.kernel), built.options,
+                                 known ? 0 : built.build_seconds, built.from_cache, 0, 0, 0, 0});
+    }
+    return kernels;
+}
+
+/// The spheres' rows, or just one, for the albedo if all have the same, where the scene is cut.
+DeviceRenderer::Rows DeviceRenderer::upload_rows(const Job& job) {
+    Rows rows{sphere_rows(job.scene, job.frame, 0, job.plan.memory.cut ? 1 : job.survey.count), {}, {}};
+    rows.buffers = upload(memory_, rows.rows);
+    rows.albedos = albedos_of(memory_, rows.rows, rows.buffers);
+    if (job.plan.memory.cut) rows.albedos.stride = 0;
+    return rows;
+}
+
+/// What is the same for all pencils, and for frames in which the spheres stay.
+const DeviceRenderer::Still& DeviceRenderer::still_spheres(const Job& job, SphereKernels& kernels) {
+    if (still_ && still_->frame == job.frame) return *still_;
+    still_.reset();
+    Still made{job.survey, job.frame, upload_rows(job), {}};
+    if (!job.plan.memory.cut) made.clusters = kernels.gather(made.rows.buffers, job.survey, job.frame);
+    return still_.emplace(std::move(made));
+}
+
+void DeviceRenderer::run(const Job& job, const std::vector<cl::Kernel>& kernels, TileQueue& queue, Film& film,
+                         RenderStats& stats) {
+    const double start = now();
+    Launcher launcher(workers_.whole(), programs_, pace_, workers_.units(1), job.options.stop);
+    SphereKernels sphere_kernels(memory_, launcher, job.plan);
+    const Still& spheres = still_spheres(job, sphere_kernels);
+    std::optional<ChunkedSpheres> chunks;
+    if (job.plan.memory.by_view)
+        chunks.emplace(memory_, sphere_kernels, launcher, job.scene, job.survey, job.frame, job.plan,
+                       &spheres.clusters);
+    SceneBuffers buffers =
+        prepare(sphere_kernels, job.scene, job.survey, job.frame, chunks ? nullptr : &spheres.clusters, job.plan);
+    buffers.albedos = spheres.rows.albedos;
+    if (chunks) launcher.finish();
+    const std::vector<cl::Event> ready = launcher.last();
+    const double asked_at = now();
+    Scheduler scheduler(workers_, memory_, job.plan, buffers, tiles_.get(memory_, job.plan), kernels,
+                        job.plan.workers > 1 ? core_pace_ : pace_, job.options.stop, film);
+    if (chunks) scheduler.take_spheres_from(*chunks);
+    const Measured run = scheduler.run(queue, ready, job.options.progress);
+    add(job.plan, run, stats);
+    double prepared_at = asked_at;
+    for (const cl::Event& end : ready) prepared_at = std::max(prepared_at, asked_at + seconds_since_asked(end));
+    add(job.plan, launcher.take_costs(), stats);
+    stats.chunks = chunks ? chunks->chunks() : 1;
+    stats.prepare_seconds = prepared_at - start;
+    if (!run.undecided.empty()) decide_again(job, spheres, run.undecided, film, stats);
+    stats.trace_seconds = now() - prepared_at;
+    stats.shares = {{info_, run.tiles, stats.rays, stats.trace_seconds}};
+}
+
+/// In double where the device has it, and exactly what is left.
+void DeviceRenderer::decide_again(const Job& job, const Still& spheres, const std::vector<int>& pixels, Film& film,
+                                  RenderStats& stats) {
+    stats.undecided = static_cast<int64_t>(pixels.size());
+    const double start = now();
+    std::vector<int> left = pixels;
+    if (info_.fp64) {
+        const Plan plan = make_refinement_plan(job.plan, job.scene);
+        Launcher launcher(workers_.whole(), programs_, pace_, workers_.units(1), job.options.stop);
+        SphereKernels kernels(memory_, launcher, plan);
+        SceneBuffers buffers = prepare(kernels, job.scene, job.survey, job.frame, &spheres.clusters, plan);
+        buffers.albedos = spheres.rows.albedos;
+        Refinement refinement(workers_, memory_, programs_, pace_, job.options.stop, plan, buffers,
+                              refined_tiles_.get(memory_, plan).front(), film);
+        left = refinement.refine(pixels, launcher.last());
+        stats.longest_launch = refinement.longest_launch();
+        for (const Launcher::Cost& cost : launcher.take_costs())
+            stats.longest_launch = std::max(stats.longest_launch, cost.longest);
+    }
+    stats.decided_exactly = static_cast<int64_t>(left.size());
+    decide_exactly(job.scene, job.options.shadows, left, job.frame.unit, film, job.options.stop);
+    stats.decide_seconds = now() - start;
+}
+
+}  // namespace gnomon
