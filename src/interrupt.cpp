@@ -24,9 +24,8 @@ std::atomic<int> caught{0};
 timer_t timer;
 
 const char* message_of(int signal) {
-    if (signal == SIGINT) return "gnomon: interrupted (SIGINT); no file was written\n";
-    return signal == SIGTERM ? "gnomon: interrupted (SIGTERM); no file was written\n"
-                             : "gnomon: interrupted (SIGHUP); no file was written\n";
+    if (signal == SIGINT) return "gnomon: interrupted (SIGINT)\n";
+    return signal == SIGTERM ? "gnomon: interrupted (SIGTERM)\n" : "gnomon: interrupted (SIGHUP)\n";
 }
 
 void say(int signal) {
@@ -79,6 +78,8 @@ void catch_interrupts() {
     for (const int signal : signals)
         if (!is_ignored(signal)) handle(signal, on_signal);
 }
+
+bool was_interrupted() { return caught != 0; }
 
 int interrupted() {
     const itimerspec never{};

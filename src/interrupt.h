@@ -9,7 +9,9 @@ namespace gnomon {
 /// From now on. A signal that whoever started the program ignores stays ignored, as nohup wants it.
 void catch_interrupts();
 
-/// The exit code after an interrupt, which is said on stderr.
+/// Whether one has been caught: then whatever fails may fail because of it, as LLVM does when it compiles meanwhile.
+bool was_interrupted();
+/// The exit code after that, which is said on stderr.
 int interrupted();
 
 /// While it lives, an interrupt asks for a stop, and ends the program itself only if that has not been heeded within

@@ -46,6 +46,8 @@ class Launches {
     int64_t launch_part(const cl::CommandQueue& queue, const Work& work, int64_t first, std::vector<cl::Event>& busy);
 
     bool empty() const { return under_way_.empty(); }
+    /// Seconds that those under way should take.
+    double expected() const { return expected_; }
     /// Waits for the oldest one, and measures it.
     void await_oldest();
     void await_all();

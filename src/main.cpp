@@ -44,7 +44,7 @@ int main(int argc, char** argv) try {
 } catch (const gnomon::Stopped&) {
     return gnomon::interrupted();
 } catch (const gnomon::Error& error) {
-    return fail(error.what(), error.exit_code());
+    return gnomon::was_interrupted() ? gnomon::interrupted() : fail(error.what(), error.exit_code());
 } catch (const std::bad_alloc&) {
     return fail("out of memory; render a smaller --size", 1);
 } catch (const std::exception& error) {

@@ -31,6 +31,7 @@ Scheduler::Scheduler(const Workers& workers, const DeviceMemory& memory, const P
       plan_(plan),
       scene_(scene),
       kernels_(std::move(kernels)),
+      pace_(pace),
       units_(workers.units(plan.workers)),
       film_(film),
       undecided_(memory, plan.certified ? blocks_of(plan) : 1) {
@@ -138,12 +139,14 @@ bool Scheduler::take_tile(Slot& slot) {
     return true;
 }
 
-/// All of a tile, unless a launch must be cut: then what comes after a part waits until that has been measured.
+/// All of a tile, unless a launch must be cut: then what comes after a part waits until that has been measured; or
+/// unless lights are so many that the tile takes longer than one launch may.
 cl::Event Scheduler::launch_turn(size_t worker) {
     Slot& slot = slots_[worker];
     if (slot.step == plan_.steps.size() && !take_tile(slot)) return {};
+    const Launches& launches = launches_[worker];
     bool whole = true;
-    while (whole && slot.step < plan_.steps.size()) {
+    while (whole && slot.step < plan_.steps.size() && (launches.empty() || launches.expected() < pace_.bound())) {
         const Step& step = plan_.steps[slot.step];
         const Work all = work(slot, step);
         slot.item += launches_[worker].launch_part(slot.queue, all, slot.item, slot.busy);

@@ -79,7 +79,8 @@ class Scheduler {
     ChunkedSpheres* chunks_ = nullptr;
     std::vector<cl::Kernel> kernels_;
     std::vector<KernelPace*> paces_;  // of the kernels
-    int units_;                       // compute units of a worker
+    const Pace& pace_;
+    int units_;  // compute units of a worker
     Film& film_;
     TileQueue* tiles_ = nullptr;
     std::vector<Slot> slots_;

@@ -77,9 +77,13 @@ void TemporaryFile::move_to_target() {
     path_.clear();
 }
 
+Fleeting::Fleeting(std::string path) : path_(std::move(path)) { remember(path_.c_str()); }
+Fleeting::~Fleeting() { forget(path_.c_str()); }
+
 void remove_temporary_files() noexcept {
-    for (const std::atomic<const char*>& place : names)
-        if (const char* const name = place) unlink(name);
+    for (const auto remove : {unlink, rmdir})  // files first, then the folders that they were in
+        for (const std::atomic<const char*>& place : names)
+            if (const char* const name = place) remove(name);
 }
 
 void check_folder(const std::string& file) {

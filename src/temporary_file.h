@@ -28,6 +28,18 @@ class TemporaryFile {
     std::FILE* stream_;
 };
 
+/// A path that remove_temporary_files() removes too while this lives: a file's or an empty folder's.
+class Fleeting {
+  public:
+    explicit Fleeting(std::string path);
+    ~Fleeting();
+    Fleeting(const Fleeting&) = delete;
+    Fleeting& operator=(const Fleeting&) = delete;
+
+  private:
+    std::string path_;
+};
+
 /// Removes those that are there now, whose objects are of no use afterwards. May be called by a signal handler.
 void remove_temporary_files() noexcept;
 

@@ -52,7 +52,8 @@ class Bench {
     void launch(cl::Kernel kernel, int items, const Arguments&... arguments) {
         cl_uint index = 0;
         (kernel.setArg(index++, arguments), ...);
-        kernel.setArg(index, 0);  // the first work-item
+        // A kernel of cl/ has one more, the first work-item.
+        if (index < kernel.getInfo<CL_KERNEL_NUM_ARGS>()) kernel.setArg(index, 0);
         queue.enqueueNDRangeKernel(kernel, cl::NullRange, static_cast<size_t>((items / local + 1) * local),
                                    static_cast<size_t>(local));
     }

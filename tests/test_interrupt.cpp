@@ -96,6 +96,21 @@ TEST_CASE("stop: temporary files are removed, and no others", "[stop]") {
     CHECK(folder.count() == 2);
 }
 
+TEST_CASE("stop: a temporary folder is removed with the files in it", "[stop]") {
+    const TempFolder folder;
+    const std::string inner = folder / "inner";
+    std::filesystem::create_directory(inner);
+    write_file(inner + "/file", "");
+    {
+        const Fleeting place(inner), file(inner + "/file");
+        remove_temporary_files();
+        CHECK(folder.count() == 0);
+        std::filesystem::create_directory(inner);
+    }
+    remove_temporary_files();
+    CHECK(folder.count() == 1);
+}
+
 TEST_CASE("interrupt: the program exits with 128 + the signal's number and leaves no file", "[stop][cli]") {
     for (const int signal : {SIGINT, SIGTERM}) {
         const TempFolder folder, said;

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <list>
 #include <sstream>
 
 #include "error.h"
@@ -25,6 +26,7 @@ class TemporaryFolder {
         std::string name = (fs::temp_directory_path() / "gnomon_report_XXXXXX").string();
         if (!mkdtemp(name.data())) throw Error(Blame::run, "cannot make a temporary folder", name, "set TMPDIR");
         path_ = name;
+        for (const char* file : {"", "script.gp", "said", "out.svg"}) fleeting_.emplace_back(path_ / file);
     }
     ~TemporaryFolder() {
         std::error_code ignored;  // a destructor has nobody to tell
@@ -37,6 +39,7 @@ class TemporaryFolder {
 
   private:
     fs::path path_;
+    std::list<Fleeting> fleeting_;  // what an interrupt has to remove
 };
 
 constexpr int not_started = 127;  // as shells say it
