@@ -16,13 +16,17 @@ kernel void intersect_shadow(global const real* restrict dirs, global const real
     const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
     realw share[PACKETS];
+    ShadowRay ray[PACKETS];
     const Hierarchy hierarchy = {clusters, nodes, levels, last};
     const Hits hits = {dirs, ts, normals, ids};
+    FOR_PACKETS(k) {
+        ray[k] = shadow_ray(light, position_of(hits, item, k));
 #if CHUNKS
-    FOR_PACKETS(k) share[k] = first_chunk ? unshadowed(hits, light, item, k) : load_r(arrival, item, k);
+        share[k] = first_chunk ? unshadowed(hits, light, ray[k], item, k) : load_r(arrival, item, k);
 #else
-    FOR_PACKETS(k) share[k] = unshadowed(hits, light, item, k);
+        share[k] = unshadowed(hits, light, ray[k], item, k);
 #endif
-    trace_shadows(hits, hierarchy, light, group_depth, item, share, (Certainty){0});
+    }
+    trace_shadows(hits, hierarchy, light, ray, group_depth, item, share, (Certainty){0});
     FOR_PACKETS(k) store_r(share[k], arrival, item, k);
 }

@@ -28,7 +28,9 @@ static inline ShadowRay shadow_ray(LightPencil light, vec3w position) {
 }
 
 // n . l, the share of the light's irradiance that arrives: > 0 where the surface faces the light.
-static inline realw arriving(LightPencil light, vec3w position, vec3w normal) { return dot_r(light.axis, normal); }
+static inline realw arriving(LightPencil light, ShadowRay ray, vec3w position, vec3w normal) {
+    return dot_r(light.axis, normal);
+}
 
 // Whether the sphere meets the ray at any t > 0, that is: its line comes closer than the radius, and the farther root
 // ahead + sqrt(D) is > 0, with `ahead` the way along the axis from the receiver p to the foot of the centre c.
@@ -93,7 +95,8 @@ static inline void judge_occlusion(PencilSphere s, ShadowRay ray, Edge edge, who
 
 // Where it is open whether the surface faces the light: n . l is off by the normal's doubt, l's turn and the dot
 // product's 3 u.
-static inline wholew may_face(LightPencil light, vec3w position, vec3w normal, realw off, realw turned, real base) {
+static inline wholew may_face(LightPencil light, ShadowRay ray, vec3w position, vec3w normal, realw off, realw turned,
+                              real base) {
     return !(fabs(dot_r(light.axis, normal)) > turned + 8 * ROUNDING);
 }
 

@@ -32,12 +32,11 @@ static inline ShadowRay shadow_ray(LightPencil light, vec3w position) {
     return ray;
 }
 
-// n . l / d^2 = (d n . l) / d^3, the share of the light's power that arrives, but for a factor: > 0 where the surface
-// faces the light, and NaN, which is not > 0, at the light.
-static inline realw arriving(LightPencil light, vec3w position, vec3w normal) {
+// n . l / d^2 = (d n . l) / d^3, the share of the light's power that arrives at the receiver, but for a factor: > 0
+// where the surface faces the light, and NaN, which is not > 0, at the light.
+static inline realw arriving(LightPencil light, ShadowRay ray, vec3w position, vec3w normal) {
     const vec3w way = from_light(light, position);
-    const realw squared = dot_w(way, way);
-    return divide(-dot_w(way, normal), squared * square_root(squared));
+    return divide(-dot_w(way, normal), dot_w(way, way) * ray.distance);
 }
 
 // From outside (C > 0), with the centre ahead: the segment meets the sphere when its line does and the near root lies
@@ -134,11 +133,11 @@ static inline void judge_occlusion(PencilSphere s, ShadowRay ray, Edge edge, who
 
 // Where it is open whether the surface faces the light: (o - p) . n is off by the normal's doubt and 8 u, times the
 // way, and by the way's.
-static inline wholew may_face(LightPencil light, vec3w position, vec3w normal, realw off, realw turned, real base) {
-    const vec3w way = from_light(light, position);
+static inline wholew may_face(LightPencil light, ShadowRay ray, vec3w position, vec3w normal, realw off, realw turned,
+                              real base) {
     const realw place = off + wide(fma(4 * ROUNDING, from_eye(light), base));
-    const realw edge = fma(square_root(dot_w(way, way)), turned + 8 * ROUNDING, place);
-    return !(fabs(dot_w(way, normal)) > edge);
+    const realw edge = fma(ray.distance, turned + 8 * ROUNDING, place);
+    return !(fabs(dot_w(from_light(light, position), normal)) > edge);
 }
 
 #endif

@@ -96,19 +96,23 @@ kernel void shade_light(global const real* restrict dirs, global const real* res
 #if SHADOWS == SHADOWS_READ
         FOR_PACKETS(k) share[k] = load_r(arrival, item, k);
 #else
-        FOR_PACKETS(k) share[k] = unshadowed(hits, light, item, k);
+        ShadowRay ray[PACKETS];
+        FOR_PACKETS(k) {
+            ray[k] = shadow_ray(light, position_of(hits, item, k));
+            share[k] = unshadowed(hits, light, ray[k], item, k);
+        }
 #endif
 #if CERTIFIED
         const Certainty certainty = {doubts, curvatures, base, {undecided, first_word}};
         ulong unsure = 0;
-        FOR_PACKETS(k) unsure |= facing_unsure(hits, light, certainty, item, k);
+        FOR_PACKETS(k) unsure |= facing_unsure(hits, light, ray[k], certainty, item, k);
         leave_undecided(unsure, certainty.undecided, item);
 #else
         const Certainty certainty = {0};
 #endif
 #if SHADOWS == SHADOWS_TRACED
         const Hierarchy hierarchy = {clusters, nodes, levels, last};
-        trace_shadows(hits, hierarchy, light, group_depth, item, share, certainty);
+        trace_shadows(hits, hierarchy, light, ray, group_depth, item, share, certainty);
 #endif
         const Albedos all = {albedos + first_albedo, albedo_stride};
         FOR_PACKETS(k) add_light(hits, all, phi, share[k], first, item, k, radiance);

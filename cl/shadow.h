@@ -18,12 +18,15 @@ typedef struct {
     global const int* ids;
 } Hits;
 
+static inline vec3w position_of(Hits hits, int item, int k) {
+    return scale_w(load_r(hits.ts, item, k), load_3(hits.dirs, item, k));
+}
+
 // What arrives (arriving(), > 0) at the hits of packet k if nothing is in between, else 0.
-static inline realw unshadowed(Hits hits, LightPencil light, int item, int k) {
+static inline realw unshadowed(Hits hits, LightPencil light, ShadowRay ray, int item, int k) {
     const wholew hit = load_i(hits.ids, item, k) >= 0;
     if (!any_lane(hit)) return wide(0.0f);
-    const vec3w position = scale_w(load_r(hits.ts, item, k), load_3(hits.dirs, item, k));
-    const realw share = arriving(light, position, load_3(hits.normals, item, k));
+    const realw share = arriving(light, ray, position_of(hits, item, k), load_3(hits.normals, item, k));
     const wholew lit = hit & (share > 0.0f);
     return lit ? share : wide(0.0f);
 }
@@ -41,14 +44,14 @@ typedef struct {
 // The hits of packet k of which rounding may decide whether they face the light, as bits of the work-item. The normal
 // is off by what the position is, the centre's rounding, u |f| <= u (t + r), and its own, over the radius; twice that
 // serves while it is below 1/2.
-static inline ulong facing_unsure(Hits hits, LightPencil light, Certainty certainty, int item, int k) {
+static inline ulong facing_unsure(Hits hits, LightPencil light, ShadowRay ray, Certainty certainty, int item, int k) {
     const wholew hit = load_i(hits.ids, item, k) >= 0;
     if (!any_lane(hit)) return 0;
     const realw off = load_r(certainty.doubts, item, k);
     const realw share = off * certainty.curvatures[item];
     const realw turned = share < 0.5f ? fma(wide(2.0f), share, wide(12 * ROUNDING)) : wide(INFINITY);
-    const vec3w position = scale_w(load_r(hits.ts, item, k), load_3(hits.dirs, item, k));
-    const wholew open = may_face(light, position, load_3(hits.normals, item, k), off, turned, certainty.base);
+    const wholew open =
+        may_face(light, ray, position_of(hits, item, k), load_3(hits.normals, item, k), off, turned, certainty.base);
     return bits_of_packet(hit & (off < INFINITY) & open, k);
 }
 
@@ -138,20 +141,17 @@ static inline void take_group(const floatw* t, float ratio, wholew* left, wholew
     }
 }
 
-// share[k]: what would arrive at the hits of packet k; where something is in between it becomes 0. Where there are
-// levels, hits are traced together whose distances from the eye differ by less than the factor group_depth (> 1). With
-// -D CERTIFIED=1 hits whose shadow rounding may decide are left undecided.
-static inline void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil light, float group_depth, int item,
-                                 realw* share, Certainty certainty) {
-    ShadowRay ray[PACKETS];
+// ray[k]: the shadow rays of packet k; share[k]: what would arrive at its hits; where something is in between it
+// becomes 0. Where there are levels, hits are traced together whose distances from the eye differ by less than the
+// factor group_depth (> 1). With -D CERTIFIED=1 hits whose shadow rounding may decide are left undecided.
+static inline void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil light, ShadowRay* ray, float group_depth,
+                                 int item, realw* share, Certainty certainty) {
     floatw t[PACKETS];
     wholew id[PACKETS], left[PACKETS], group[PACKETS];
     FOR_PACKETS(k) {
         left[k] = share[k] > 0.0f;
         id[k] = load_i(hits.ids, item, k);
-        const realw distance = load_r(hits.ts, item, k);
-        t[k] = floats_of(distance);
-        ray[k] = shadow_ray(light, scale_w(distance, load_3(hits.dirs, item, k)));
+        t[k] = floats_of(load_r(hits.ts, item, k));
 #if CERTIFIED
         const realw off = load_r(certainty.doubts, item, k);
         ray[k].off = ray_off(light, ray[k], off, certainty.base);
