@@ -82,7 +82,7 @@ static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hi
         const realw t = sphere_root(s, b[k], discriminant[k]);
         const wholew plain = near[k] & (discriminant[k] > off.plain), closer = plain & (t < hit[k].t);
         const realw loser = kept * (closer ? hit[k].t : plain ? t : wide(INFINITY));
-        const realw other = near[k] & !plain ? b[k] - off.back : loser;
+        const realw other = (near[k] & !plain) ? b[k] - off.back : loser;
         bounds->other[k] = LESS(bounds->other[k], other);
         hit[k].t = closer ? t : hit[k].t;
         hit[k].id = closer ? (wholew)(s.id) : hit[k].id;

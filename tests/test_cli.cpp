@@ -60,6 +60,17 @@ TEST_CASE("a quiet run prints nothing", "[cli]") {
     CHECK(folder.count() == 2);
 }
 
+TEST_CASE("a compiler that sees the kernels for the first time has nothing to remark", "[cli]") {
+    const TempFolder cache;  // an empty one, PoCL's
+    const std::string environment = "POCL_CACHE_DIR=" + quoted(cache.path());
+    // `certified` builds those of doubles too.
+    for (const std::string accuracy : {"strict", "certified"}) {
+        const Ran ran = render_small("--quiet --accuracy " + accuracy, environment, "point.json");
+        CHECK(ran.code == 0);
+        CHECK(ran.err == "");
+    }
+}
+
 TEST_CASE("GNOMON_DEVICE chooses, --device overrides it", "[cli]") {
     const std::string number = choose_device(list_devices(), "").number();
     const Ran chosen = render_small("", "GNOMON_DEVICE=" + number);
