@@ -23,6 +23,11 @@ bool meets_spheres(Kernel kernel, const Plan& plan) {
 
 }  // namespace
 
+bool deals_tiles(const Plan& plan) {
+    const bool is_shared_cpu = plan.shares_tiles && plan.stream && plan.flat() && !plan.memory.by_view;
+    return plan.workers > 1 || is_shared_cpu;
+}
+
 Scheduler::Scheduler(const Workers& workers, const DeviceMemory& memory, const Plan& plan, const SceneBuffers& scene,
                      const std::vector<TileBuffers>& tiles, std::vector<cl::Kernel> kernels, Pace& pace,
                      const Stop* stop, Film& film)
@@ -75,7 +80,7 @@ Measured Scheduler::run(TileQueue& tiles, const std::vector<cl::Event>& after,
     if (plan_.certified) undecided_.clear(queue_, &ready.emplace_back());
     queue_.flush();  // or other queues might wait for it forever (OpenCL 1.2, 5.13)
     for (Slot& slot : slots_) slot.busy = ready;
-    if (plan_.workers > 1)
+    if (deals_tiles(plan_))
         deal_to_cores(progress);
     else
         run_ahead(progress);

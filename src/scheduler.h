@@ -16,6 +16,10 @@
 
 namespace gnomon {
 
+/// Whether workers take the next tile themselves when they have ended one: cores do, and parts of a CPU that render few
+/// spheres together with others. There is then no thread of ours that takes a core from them.
+bool deals_tiles(const Plan& plan);
+
 /// What a run measured: for each variant of the plan launches, device seconds, and those of the longest launch; and how
 /// many eye rays hit.
 struct Measured {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <future>
+#include <limits>
 #include <mutex>
 
 #include "error.h"
@@ -20,18 +21,24 @@ DeviceLimits limits_of(const DeviceInfo& device, bool alone) {
     return limits;
 }
 
-/// Tiles that all plans have room for, smaller to the end.
-void share_tiles(std::vector<Plan>& plans) {
-    int workers = 0, blocks = plans.front().tile_blocks;
-    for (const Plan& plan : plans) {
+/// Tiles that all plans have room for, smaller to the end. A core that goes through all passes of a tile does so in its
+/// cache, with one set of buffers.
+void share_tiles(std::vector<Plan>& plans, const std::vector<DeviceLimits>& limits) {
+    int workers = 0;
+    int64_t rays = std::numeric_limits<int>::max();
+    for (size_t i = 0; i < plans.size(); ++i) {
+        Plan& plan = plans[i];
+        plan.shares_tiles = true;
         workers += plan.workers;
-        blocks = std::min(blocks, plan.tile_blocks);
+        rays = std::min(rays, int64_t{plan.tile_blocks} * BLOCK_RAYS);
+        if (!deals_tiles(plan)) continue;
+        rays = std::min(rays, core_tile_rays(real_bytes(plan.accuracy), limits[i]));
+        plan.tile_sets = plan.workers;
     }
-    const Tiling tiling = for_team(plans.front().image, workers, blocks * BLOCK_RAYS);
+    const Tiling tiling = for_team(plans.front().image, workers, static_cast<int>(rays));
     for (Plan& plan : plans) {
         plan.tiles = tiling.tiles;
         plan.tile_blocks = tiling.largest();
-        plan.shares_tiles = true;
     }
 }
 
@@ -91,9 +98,12 @@ void Team::check_accuracy(Accuracy accuracy) const {
 
 std::vector<Plan> Team::make_plans(const Scene& scene, const Survey& survey, const RenderOptions& options) const {
     std::vector<Plan> plans;
-    for (const auto& member : members_)
-        plans.push_back(make_plan(scene, survey, options, limits_of(member->info(), !has_several())));
-    if (has_several()) share_tiles(plans);
+    std::vector<DeviceLimits> limits;
+    for (const auto& member : members_) {
+        limits.push_back(limits_of(member->info(), !has_several()));
+        plans.push_back(make_plan(scene, survey, options, limits.back()));
+    }
+    if (has_several()) share_tiles(plans, limits);
     return plans;
 }
 

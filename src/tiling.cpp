@@ -80,20 +80,11 @@ std::vector<Tile> cut_for_workers(const ImageSize& image, int workers, int64_t m
     });
 }
 
-/// What intersect_closest hands on to the lights' launches (dir, normal, t, id) should still be in the core's cache
-/// when they read it. That of one and a half times as many rays as fit was found the fastest: fewer mean more launches.
-std::vector<Tile> cut_for_cores(const ImageSize& image, int workers, int real_bytes, const DeviceLimits& limits) {
-    const int64_t cache =
-        limits.core_cache_bytes > 0 ? static_cast<int64_t>(limits.core_cache_bytes) : assumed_core_cache;
-    const int64_t handed_on = (3 + 3 + 1) * real_bytes + 4;
-    const int64_t most = std::clamp<int64_t>(cache * 3 / 2 / handed_on, least_core_tile_rays, cpu_tile_rays);
-    return cut_for_workers(image, workers, most);
-}
-
 /// A core's own cache holds one tile, and there is nothing else for it to do meanwhile.
 Tiling for_cores(const ImageSize& image, int asked, int real_bytes, const DeviceLimits& limits) {
     const int workers = limits.sub_devices;
-    return {asked > 0 ? cut_alike(image, asked) : cut_for_cores(image, workers, real_bytes, limits), workers, workers};
+    return {asked > 0 ? cut_alike(image, asked) : cut_for_workers(image, workers, core_tile_rays(real_bytes, limits)),
+            workers, workers};
 }
 
 /// One tile computes while another is read back.
@@ -113,6 +104,15 @@ int Tiling::largest() const {
 }
 
 Tiling one_by_one(const ImageSize& image, int rays) { return {cut_alike(image, rays), 1, 1}; }
+
+/// What intersect_closest hands on to the lights' launches (dir, normal, t, id) should still be in the core's cache
+/// when they read it. That of one and a half times as many rays as fit was found the fastest: fewer mean more launches.
+int64_t core_tile_rays(int real_bytes, const DeviceLimits& limits) {
+    const int64_t cache =
+        limits.core_cache_bytes > 0 ? static_cast<int64_t>(limits.core_cache_bytes) : assumed_core_cache;
+    const int64_t handed_on = (3 + 3 + 1) * real_bytes + 4;
+    return std::clamp<int64_t>(cache * 3 / 2 / handed_on, least_core_tile_rays, cpu_tile_rays);
+}
 
 Tiling for_team(const ImageSize& image, int workers, int rays) {
     return {cut_for_workers(image, workers, std::min(rays, cpu_tile_rays)), 1, 1};

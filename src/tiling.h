@@ -16,6 +16,9 @@ struct Tiling {
 /// Tiles of `rays` at most, under way one after the other.
 Tiling one_by_one(const ImageSize& image, int rays);
 
+/// Rays in a tile whose passes follow each other on one core of a CPU, at most.
+int64_t core_tile_rays(int real_bytes, const DeviceLimits& limits);
+
 /// Tiles of `rays` at most for so many workers on several devices, smaller to the end.
 Tiling for_team(const ImageSize& image, int workers, int rays);
 
