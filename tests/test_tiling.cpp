@@ -144,7 +144,7 @@ TEST_CASE("tiling: what is used is said, the bits are the same, and memory is wh
                 CHECK(stats.peak_bytes <= stats.planned_bytes);
                 CHECK(stats.peak_bytes > stats.planned_bytes / 2);
                 for (const KernelStats& k : stats.kernels)
-                    if (k.kernel == "intersect_closest") CHECK(k.launches == stats.tiles);
+                    if (k.kernel == "intersect_closest") CHECK(k.launches >= stats.tiles);  // more if one was cut
             }
             CHECK(std::count(shares.begin(), shares.end(), 1.0) == 2);  // at the end of each picture
         }
