@@ -10,6 +10,7 @@
 #define GNOMON_CERTIFY_H
 
 #include "cluster.h"
+#include "ieee.h"
 
 // STEEPEST: where the cosine between ray and normal is less than 1 / STEEPEST the sphere is grazed, and nothing is said
 // of t. EYE_TURN: how far a ray of the eye's may be turned, in radians. Doubles, in which few rays are computed, leave
@@ -46,7 +47,7 @@ static inline real discriminant_slope(PencilSphere s, real radius, real shift) {
 
 // `turn` is how far a ray may be turned (radians), `base` how far the centre is off before it was rounded.
 static inline Doubt doubt_of(PencilSphere s, real turn, real base) {
-    const real distance = distance_of(s), radius = sqrt(s.r2);
+    const real distance = distance_of(s), radius = root_of(s.r2);
     const real shift = distance * (turn + 12 * ROUNDING) + 4 * base;
     return (Doubt){shift, discriminant_slope(s, radius, shift) * shift + 12 * ROUNDING * s.r2, radius, distance};
 }
@@ -77,7 +78,7 @@ typedef struct {
 static inline RootDoubt root_doubt(PencilSphere s, Doubt doubt, real off) {
     const int outside = surely_outside(s, off);
     const int small = looks_small(s);
-    const real steep = (small ? 58 : 98) * ROUNDING + 5 * off / fabs(s.power);
+    const real steep = (small ? 58 : 98) * ROUNDING + quotient_of(5 * off, fabs(s.power));
     const real least = MORE((real)(1 / STEEPEST), steep * (2 / MOST_OFF));
     const real farthest = outside ? doubt.distance : doubt.distance + doubt.radius;
 #if REAL_IS_DOUBLE
@@ -86,7 +87,7 @@ static inline RootDoubt root_doubt(PencilSphere s, Doubt doubt, real off) {
     const int known = least <= 1 && steep <= (small ? STEEP_SMALL : STEEP_LARGE);
 #endif
     const real plain = known ? MORE(least * least * s.r2, 10 * steep * farthest * doubt.radius) : INFINITY;
-    return (RootDoubt){steep, plain, outside && known ? 1.5f * sqrt(plain) : INFINITY};
+    return (RootDoubt){steep, plain, outside && known ? 1.5f * root_of(plain) : INFINITY};
 }
 
 // The undecided rays of a picture: a bit each, 32 rays a word, those of a tile from first_word on.

@@ -48,4 +48,16 @@ static inline floatw square_root(floatw a) {
 }
 #endif
 
+// Of one real. What bounds are made of decides which rays are left undecided, and so the picture's bits.
+#if REAL_IS_DOUBLE || FAST || defined(CORRECTLY_ROUNDED)
+static inline real quotient_of(real a, real b) { return a / b; }
+static inline real root_of(real a) { return sqrt(a); }
+#elif LANES == 1
+static inline real quotient_of(real a, real b) { return divide(a, b); }
+static inline real root_of(real a) { return square_root(a); }
+#else
+static inline real quotient_of(real a, real b) { return divide(wide(a), wide(b)).s0; }
+static inline real root_of(real a) { return square_root(wide(a)).s0; }
+#endif
+
 #endif

@@ -77,7 +77,7 @@ typedef struct {
 
 static inline Edge edge_of(PencilSphere s, RayDoubt doubt, real base) {
     const real own = fma(12 * ROUNDING, distance_of(s), base);
-    const real slope = fma((real)3, doubt.shift + own, 2 * sqrt(s.r2));
+    const real slope = fma((real)3, doubt.shift + own, 2 * root_of(s.r2));
     return (Edge){fma(slope, own, 12 * ROUNDING * s.r2), slope};
 }
 

@@ -56,7 +56,7 @@ static inline wholew occludes(PencilSphere s, ShadowRay ray) {
 #if CERTIFIED
 
 static inline real from_eye(LightPencil light) {
-    return sqrt(
+    return root_of(
         fma(light.origin.x, light.origin.x, fma(light.origin.y, light.origin.y, light.origin.z * light.origin.z)));
 }
 // How far the light itself may be off: its place is rounded, u |o|.

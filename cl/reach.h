@@ -22,6 +22,12 @@
 // 1 each; the centre, 1; a ray's direction, 1; and the farthest t or distance (at most |f| + r) 2 or, in a parallel
 // pencil, a receiver's coordinates (where they decide no farther from 0 than |c| + r) 2. Together that is 6, and
 // 37 + 6 < 64.
+//
+// And on devices that do not round quotients and roots correctly, whose quotients are off by up to 2.5 ulp, 5 u, and
+// roots by 3 ulp, 6 u (OpenCL C 1.2, table 7.1). A ray's X has one quotient: 15 and not 11 of those units, 15 sqrt(2) <
+// 22 instead of 16. A plane's normal has a quotient and a root: 13 and not 4, with the dot product 16; a rectangle's
+// quotient is 5 and not 1: 17 and not 13. Together 8 + 22 + 17 = 47, in double 53 < 64. The distance of which reach is
+// made is off by 6 u of itself, which is 2^-21 of what is added, and a node's depth by 6 u |f|, which alone is less.
 #ifndef GNOMON_REACH_H
 #define GNOMON_REACH_H
 

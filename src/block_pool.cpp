@@ -15,10 +15,7 @@ BlockPool::Block BlockPool::take(size_t bytes, size_t most) {
         idle_.erase(found);
         return block;
     }
-    while (!idle_.empty() && held_ + whole > most) {
-        held_ -= idle_.begin()->first;
-        idle_.erase(idle_.begin());
-    }
+    free_idle(most > whole ? most - whole : 0);
     Block block{std::unique_ptr<void, Free>(allocate_huge(whole)), whole};
     held_ += whole;
     return block;
@@ -28,6 +25,18 @@ void BlockPool::give_back(Block block) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const size_t bytes = block.bytes;
     idle_.emplace(bytes, std::move(block));
+}
+
+void BlockPool::shrink_to(size_t most) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    free_idle(most);
+}
+
+void BlockPool::free_idle(size_t most) {
+    while (!idle_.empty() && held_ > most) {
+        held_ -= idle_.begin()->first;
+        idle_.erase(idle_.begin());
+    }
 }
 
 size_t BlockPool::held() const {

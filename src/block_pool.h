@@ -31,11 +31,15 @@ class BlockPool {
     /// can be let go. Throws std::bad_alloc.
     Block take(size_t bytes, size_t most);
     void give_back(Block block);
+    /// Lets go of idle ones until no more than `most` bytes are held in all, as far as that goes.
+    void shrink_to(size_t most);
 
     /// Taken and idle ones.
     size_t held() const;
 
   private:
+    void free_idle(size_t most);  // under the lock
+
     mutable std::mutex mutex_;
     std::multimap<size_t, Block> idle_;  // by bytes
     size_t held_ = 0;

@@ -84,20 +84,30 @@ SceneBuffers prepare(SphereKernels& kernels, const Scene& scene, const Survey& s
     });
 }
 
-std::vector<TileBuffers>& TilePool::get(const DeviceMemory& memory, const Plan& plan) {
-    const size_t count = static_cast<size_t>(plan.tile_sets), rays = static_cast<size_t>(plan.tile_blocks);
-    const std::array<size_t, 7> shape{count,
-                                      rays,
-                                      plan.uses(Kernel::intersect_shadow) + size_t{2} * plan.uses(Kernel::shade_light),
-                                      size_t{plan.write_in_place},
-                                      size_t{plan.albedos_of_rays},
-                                      plan.certified ? static_cast<size_t>(plan.rays_per_item()) : 0,
-                                      static_cast<size_t>(real_bytes(plan.accuracy))};
-    if (shape == shape_) return tiles_;
-    shape_ = {};  // of no plan, in case an allocation throws
+TilePool::Shape TilePool::shape_of(const Plan& plan) {
+    return {static_cast<size_t>(plan.tile_sets),
+            static_cast<size_t>(plan.tile_blocks),
+            plan.uses(Kernel::intersect_shadow) + size_t{2} * plan.uses(Kernel::shade_light),
+            size_t{plan.write_in_place},
+            size_t{plan.albedos_of_rays},
+            plan.certified ? static_cast<size_t>(plan.rays_per_item()) : 0,
+            static_cast<size_t>(real_bytes(plan.accuracy))};
+}
+
+void TilePool::clear() {
+    shape_ = {};  // of no plan
     tiles_.clear();
-    for (size_t i = 0; i < count; ++i) tiles_.push_back(allocate_tile(memory, plan));
-    shape_ = shape;
+}
+
+void TilePool::keep_for(const Plan& plan) {
+    if (shape_of(plan) != shape_) clear();
+}
+
+std::vector<TileBuffers>& TilePool::get(const DeviceMemory& memory, const Plan& plan) {
+    keep_for(plan);
+    if (!tiles_.empty()) return tiles_;
+    for (int i = 0; i < plan.tile_sets; ++i) tiles_.push_back(allocate_tile(memory, plan));
+    shape_ = shape_of(plan);
     return tiles_;
 }
 

@@ -50,10 +50,16 @@ struct TileBuffers {
 class TilePool {
   public:
     std::vector<TileBuffers>& get(const DeviceMemory& memory, const Plan& plan);
+    /// Lets go of them unless they are what this plan would get.
+    void keep_for(const Plan& plan);
+    void clear();
 
   private:
+    using Shape = std::array<size_t, 7>;
+    static Shape shape_of(const Plan& plan);
+
     std::vector<TileBuffers> tiles_;
-    std::array<size_t, 7> shape_{};
+    Shape shape_{};
 };
 
 }  // namespace gnomon

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <cstdlib>
 
 #include "error.h"
@@ -66,12 +67,28 @@ int sub_devices_of(const cl::Device& device) {
 /// OpenCL does not tell: CL_DEVICE_GLOBAL_MEM_CACHE_SIZE may be that of the last level, which cores share.
 uint64_t core_cache_bytes() { return static_cast<uint64_t>(std::max(sysconf(_SC_LEVEL2_CACHE_SIZE), 0L)); }
 
+void inspect_arithmetic(const cl::Device& device, DeviceInfo& info) {
+    const cl_device_fp_config floats = device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
+    constexpr cl_device_fp_config ieee = CL_FP_ROUND_TO_NEAREST | CL_FP_INF_NAN;
+    info.correctly_rounded = (floats & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
+    info.fast_fma = (floats & CL_FP_FMA) != 0;
+    info.subnormals = (floats & CL_FP_DENORM) != 0;
+    info.ieee = (floats & ieee) == ieee;
+}
+
+/// "OpenCL 1.2 ..." (OpenCL 1.2, table 4.3).
+void read_version(DeviceInfo& info) {
+    if (std::sscanf(info.version.c_str(), "OpenCL %d.%d", &info.opencl_major, &info.opencl_minor) != 2)
+        info.opencl_major = info.opencl_minor = 0;
+}
+
 DeviceInfo inspect(const cl::Platform& platform, const cl::Device& device) {
     DeviceInfo info;
     info.type = type_of(device.getInfo<CL_DEVICE_TYPE>());
     info.name = trimmed(device.getInfo<CL_DEVICE_NAME>());
     info.platform_name = trimmed(platform.getInfo<CL_PLATFORM_NAME>());
     info.version = trimmed(device.getInfo<CL_DEVICE_VERSION>());
+    read_version(info);
     info.driver = trimmed(device.getInfo<CL_DRIVER_VERSION>());
     info.compute_units = static_cast<int>(device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>());
     info.sub_devices = sub_devices_of(device);
@@ -81,9 +98,14 @@ DeviceInfo inspect(const cl::Platform& platform, const cl::Device& device) {
     info.global_bytes = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
     info.max_alloc_bytes = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
     info.shares_memory = device.getInfo<CL_DEVICE_HOST_UNIFIED_MEMORY>() != 0;
-    info.correctly_rounded = (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
     info.out_of_order = (device.getInfo<CL_DEVICE_QUEUE_PROPERTIES>() & CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE) != 0;
     info.fp64 = device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>() != 0;
+    inspect_arithmetic(device, info);
+    info.address_bits = static_cast<int>(device.getInfo<CL_DEVICE_ADDRESS_BITS>());
+    info.max_parameter_bytes = device.getInfo<CL_DEVICE_MAX_PARAMETER_SIZE>();
+    info.max_constant_bytes = device.getInfo<CL_DEVICE_MAX_CONSTANT_BUFFER_SIZE>();
+    info.little_endian = device.getInfo<CL_DEVICE_ENDIAN_LITTLE>() != 0;
+    info.has_compiler = device.getInfo<CL_DEVICE_COMPILER_AVAILABLE>() != 0;
     return info;
 }
 

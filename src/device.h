@@ -23,6 +23,15 @@ struct DeviceInfo {
     bool shares_memory = false;      ///< with the host
     bool correctly_rounded = false;  ///< divide and sqrt, when asked (CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT)
     bool out_of_order = false, fp64 = false;
+    uint64_t max_kernel_group = 0;     ///< work-items in a group of any kernel; 0: the driver says it of each
+    int address_bits = 64;             ///< 32 or 64
+    uint64_t max_parameter_bytes = 0;  ///< of a kernel's arguments together
+    uint64_t max_constant_bytes = 0;   ///< of constant memory, of which kernels use none
+    bool fast_fma = true;              ///< in hardware: every device has it correctly rounded, some in software
+    bool subnormals = true;            ///< floats below 2^-126 are kept, not made 0
+    bool ieee = true;                  ///< floats are rounded to nearest, and have infinities and NaN
+    bool little_endian = true, has_compiler = true;
+    int opencl_major = 1, opencl_minor = 2;
 
     /// "P:D", or "P:D/N.I" of part I of N.
     std::string number() const;

@@ -32,8 +32,12 @@ void CL_CALLBACK DeviceMemory::give_back(cl_mem, void* charge) {
 void DeviceMemory::expect(int64_t bytes, bool scarce) {
     meter_->expected = bytes;
     meter_->scarce = scarce;
+    await_room(0);
+    meter_->pool.shrink_to(static_cast<size_t>(room_for_blocks()));
     meter_->peak = meter_->now.load();
 }
+
+int64_t DeviceMemory::room_for_blocks() const { return std::max<int64_t>(meter_->expected - meter_->small, 0); }
 
 void DeviceMemory::await_room(int64_t bytes) const {
     using namespace std::chrono_literals;
@@ -48,8 +52,7 @@ cl::Buffer DeviceMemory::allocate(cl_mem_flags flags, size_t bytes, const void* 
     await_room(size);
     auto charge = std::make_unique<Charge>(Charge{meter_, size, {}});
     if (shared_ && !values && bytes >= BlockPool::least) {
-        const int64_t most = std::max<int64_t>(meter_->expected - meter_->small, 0);
-        charge->block = meter_->pool.take(bytes, static_cast<size_t>(most));
+        charge->block = meter_->pool.take(bytes, static_cast<size_t>(room_for_blocks()));
         flags |= CL_MEM_USE_HOST_PTR;
         values = charge->block.memory.get();
     } else {

@@ -52,6 +52,7 @@ class DeviceMemory {
     cl::Buffer allocate(cl_mem_flags flags, size_t bytes, const void* values) const;
     struct Charge;
     void await_room(int64_t bytes) const;
+    int64_t room_for_blocks() const;
     static void CL_CALLBACK give_back(cl_mem buffer, void* charge);
 
     cl::Context context_;

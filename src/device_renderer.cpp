@@ -83,11 +83,15 @@ DeviceRenderer::DeviceRenderer(const DeviceInfo& info)
 
 RenderStats DeviceRenderer::render(const Job& job, TileQueue& queue, Film& film) try {
     if (!job.options.same_spheres) still_.reset();
-    RenderStats stats = planned(job.plan, job.scene);
     const double start = now();
+    RenderStats stats = planned(job.plan, job.scene);
     const std::vector<cl::Kernel> kernels = build(job, stats);
+    if (const int most = group_limit(job.plan); most < job.plan.local_size) {
+        const Plan plan = in_smaller_groups(job, most);
+        return render({job.scene, job.survey, job.frame, plan, job.options}, queue, film);
+    }
     stats.build_seconds = now() - start;
-    memory_.expect(job.plan.memory.peak_bytes, job.plan.memory.cut);
+    make_room(job.plan);
     for (Pace* pace : {&pace_, &core_pace_}) pace->expect(job.options.longest_launch, job.plan.spheres);
     run(job, kernels, queue, film, stats);
     stats.peak_bytes = memory_.peak();
@@ -99,6 +103,34 @@ RenderStats DeviceRenderer::render(const Job& job, TileQueue& queue, Film& film)
 } catch (const cl::Error& error) {
     throw Error(Blame::run, describe(error), info_.number() + " " + info_.name,
                 "a smaller --size or --tile, or another --device, may help");
+}
+
+/// The most work-items that a group of any kernel of the tiles' may have.
+int DeviceRenderer::group_limit(const Plan& plan) {
+    int most = plan.local_size;
+    for (const Step& step : plan.steps)
+        most = std::min(most, programs_.get(plan.variants[static_cast<size_t>(step.variant)]).group_limit);
+    return most;
+}
+
+/// The plan for groups of `most` work-items at most, and the same tiles.
+Plan DeviceRenderer::in_smaller_groups(const Job& job, int most) const {
+    DeviceLimits limits(info_);
+    limits.max_work_group = static_cast<uint64_t>(most);
+    limits.shares_memory = limits.shares_memory && job.plan.write_in_place;
+    Plan plan = make_plan(job.scene, job.survey, job.options, limits);
+    plan.tiles = job.plan.tiles;
+    plan.tile_blocks = job.plan.tile_blocks;
+    plan.shares_tiles = job.plan.shares_tiles;
+    return plan;
+}
+
+/// What earlier pictures left and this one does not use would stand in its way.
+void DeviceRenderer::make_room(const Plan& plan) {
+    tiles_.keep_for(plan);
+    if (!plan.certified)
+        for (TilePool* pool : {&single_tiles_, &refined_tiles_}) pool->clear();
+    memory_.expect(plan.memory.peak_bytes, plan.memory.cut);
 }
 
 std::vector<cl::Kernel> DeviceRenderer::build(const Job& job, RenderStats& stats) {
@@ -158,30 +190,48 @@ void DeviceRenderer::run(const Job& job, const std::vector<cl::Kernel>& kernels,
     add(job.plan, launcher.take_costs(), stats);
     stats.chunks = chunks ? chunks->chunks() : 1;
     stats.prepare_seconds = prepared_at - start;
-    if (!run.undecided.empty()) decide_again(job, spheres, run.undecided, film, stats);
+    if (!run.undecided.empty()) decide_again(job, spheres, buffers, run.undecided, film, stats);
     stats.trace_seconds = now() - prepared_at;
     stats.shares = {{info_, run.tiles, stats.rays, stats.trace_seconds}};
 }
 
+/// In float once more. Bounds were those of work-items, whose size is the device's; those of a ray alone leave fewer
+/// open, the same ones on every device.
+std::vector<int> DeviceRenderer::open_alone(const Job& job, const SceneBuffers& buffers, const std::vector<int>& pixels,
+                                            Film& film, RenderStats& stats) {
+    if (job.plan.rays_per_item() == 1) return pixels;
+    const Plan plan = make_refinement_plan(job.plan, job.scene, Accuracy::certified);
+    Refinement alone(workers_, memory_, programs_, pace_, job.options.stop, plan, buffers,
+                     single_tiles_.get(memory_, plan).front(), film);
+    const std::vector<int> left = alone.refine(pixels, {});
+    stats.longest_launch = std::max(stats.longest_launch, alone.longest_launch());
+    return left;
+}
+
+/// In double; returns those that even that leaves open.
+std::vector<int> DeviceRenderer::refine(const Job& job, const Still& spheres, const std::vector<int>& pixels,
+                                        Film& film, RenderStats& stats) {
+    const Plan plan = make_refinement_plan(job.plan, job.scene, Accuracy::full);
+    Launcher launcher(workers_.whole(), programs_, pace_, workers_.units(1), job.options.stop);
+    SphereKernels kernels(memory_, launcher, plan);
+    SceneBuffers buffers = prepare(kernels, job.scene, job.survey, job.frame, &spheres.clusters, plan);
+    buffers.albedos = spheres.rows.albedos;
+    Refinement refinement(workers_, memory_, programs_, pace_, job.options.stop, plan, buffers,
+                          refined_tiles_.get(memory_, plan).front(), film);
+    const std::vector<int> left = refinement.refine(pixels, launcher.last());
+    stats.longest_launch = std::max(stats.longest_launch, refinement.longest_launch());
+    for (const Launcher::Cost& cost : launcher.take_costs())
+        stats.longest_launch = std::max(stats.longest_launch, cost.longest);
+    return left;
+}
+
 /// In double where the device has it, and exactly what is left.
-void DeviceRenderer::decide_again(const Job& job, const Still& spheres, const std::vector<int>& pixels, Film& film,
-                                  RenderStats& stats) {
-    stats.undecided = static_cast<int64_t>(pixels.size());
+void DeviceRenderer::decide_again(const Job& job, const Still& spheres, const SceneBuffers& buffers,
+                                  const std::vector<int>& pixels, Film& film, RenderStats& stats) {
     const double start = now();
-    std::vector<int> left = pixels;
-    if (info_.fp64) {
-        const Plan plan = make_refinement_plan(job.plan, job.scene);
-        Launcher launcher(workers_.whole(), programs_, pace_, workers_.units(1), job.options.stop);
-        SphereKernels kernels(memory_, launcher, plan);
-        SceneBuffers buffers = prepare(kernels, job.scene, job.survey, job.frame, &spheres.clusters, plan);
-        buffers.albedos = spheres.rows.albedos;
-        Refinement refinement(workers_, memory_, programs_, pace_, job.options.stop, plan, buffers,
-                              refined_tiles_.get(memory_, plan).front(), film);
-        left = refinement.refine(pixels, launcher.last());
-        stats.longest_launch = refinement.longest_launch();
-        for (const Launcher::Cost& cost : launcher.take_costs())
-            stats.longest_launch = std::max(stats.longest_launch, cost.longest);
-    }
+    std::vector<int> left = open_alone(job, buffers, pixels, film, stats);
+    stats.undecided = static_cast<int64_t>(left.size());
+    if (info_.fp64 && !left.empty()) left = refine(job, spheres, left, film, stats);
     stats.decided_exactly = static_cast<int64_t>(left.size());
     decide_exactly(job.scene, job.options.shadows, left, job.frame.unit, film, job.options.stop);
     stats.decide_seconds = now() - start;

@@ -51,18 +51,25 @@ class DeviceRenderer {
         ClusterBuffers clusters;  // unless the scene is cut
     };
 
+    int group_limit(const Plan& plan);
+    Plan in_smaller_groups(const Job& job, int most) const;
+    void make_room(const Plan& plan);
     std::vector<cl::Kernel> build(const Job& job, RenderStats& stats);
     Rows upload_rows(const Job& job);
     const Still& still_spheres(const Job& job, SphereKernels& kernels);
     void run(const Job& job, const std::vector<cl::Kernel>& kernels, TileQueue& queue, Film& film, RenderStats& stats);
-    void decide_again(const Job& job, const Still& spheres, const std::vector<int>& pixels, Film& film,
-                      RenderStats& stats);
+    std::vector<int> open_alone(const Job& job, const SceneBuffers& buffers, const std::vector<int>& pixels, Film& film,
+                                RenderStats& stats);
+    std::vector<int> refine(const Job& job, const Still& spheres, const std::vector<int>& pixels, Film& film,
+                            RenderStats& stats);
+    void decide_again(const Job& job, const Still& spheres, const SceneBuffers& buffers, const std::vector<int>& pixels,
+                      Film& film, RenderStats& stats);
 
     DeviceInfo info_;
     Workers workers_;
     Programs programs_;
     DeviceMemory memory_;
-    TilePool tiles_, refined_tiles_;
+    TilePool tiles_, single_tiles_, refined_tiles_;
     Pace pace_, core_pace_;       // of the whole device, and of a core of it
     std::optional<Still> still_;  // of the last picture
 };

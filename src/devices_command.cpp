@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
+#include "shortcomings.h"
 #include "stats_json.h"
 
 namespace gnomon {
@@ -20,9 +21,13 @@ void print(const DeviceInfo& d) {
         fmt::print("     can be split into {} cores, {} KiB of cache each\n", d.sub_devices, d.core_cache_bytes >> 10);
     else
         fmt::print("     cannot be split into cores\n");
-    fmt::print("     correctly rounded divide and sqrt: {}, double: {}, out-of-order queue: {}, shares memory: {}\n",
-               d.correctly_rounded ? "yes" : "no (corrected by fma)", yes(d.fp64), yes(d.out_of_order),
-               yes(d.shares_memory));
+    fmt::print("     {}-bit addresses, groups of {} work-items, {} KiB of constant memory, {} bytes of arguments\n",
+               d.address_bits, d.max_work_group, d.max_constant_bytes >> 10, d.max_parameter_bytes);
+    fmt::print("     correctly rounded divide and sqrt: {}, double: {}, fast fma: {}, subnormal numbers: {}\n",
+               yes(d.correctly_rounded), yes(d.fp64), yes(d.fast_fma), yes(d.subnormals));
+    fmt::print("     out-of-order queue: {}, shares memory: {}\n", yes(d.out_of_order), yes(d.shares_memory));
+    for (const Shortcoming& s : shortcomings(d))
+        fmt::print("     {}{}: {}\n", s.usable ? "" : "cannot be used: ", s.lack, s.answer);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // other.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -46,12 +47,14 @@ class Launcher {
     Launcher(const Launcher&) = delete;
     Launcher& operator=(const Launcher&) = delete;
 
-    /// One launch, or more if that would take too long, over at least `items` work-items in groups of `local`.
+    /// One launch, or more if that would take too long, over at least `items` work-items in groups of `local`, or of
+    /// fewer if the kernel allows no more.
     template <class... Arguments>
     void launch(const Variant& variant, int items, int local, const Arguments&... arguments) {
-        cl::Kernel kernel = programs_.get(variant).kernel;
+        const BuiltKernel& built = programs_.get(variant);
+        cl::Kernel kernel = built.kernel;
         set_arguments(kernel, arguments...);
-        launch(variant, kernel, items, local);
+        launch(variant, kernel, items, std::min(local, built.group_limit));
     }
     /// What follows, up to the next branch, waits only for what was launched before the first one.
     void branch();

@@ -114,12 +114,16 @@ struct Plan {
     int slices(int64_t pairs) const;  ///< a sort's, of so many
 };
 
+/// Work-items in a group, where the device allows that many.
+int preferred_local_size(bool cpu);
+
 /// Of the spheres only what the survey says is looked at. Throws Error(Blame::input) for lanes or a tile that cannot
 /// be, Error(Blame::run) when the scene does not fit the device.
 Plan make_plan(const Scene& scene, const Survey& survey, const RenderOptions& options, const DeviceLimits& limits);
 
-/// What computes the pixels that a certified plan leaves undecided: in double, so many at a time, none of it resolved.
+/// What computes the pixels that a certified plan leaves undecided, each by itself, so many at a time, none of it
+/// resolved: in float (certified), with bounds that are its own and no work-item's, or in double (full).
 constexpr int refinement_batch = 1 << 15;
-Plan make_refinement_plan(const Plan& plan, const Scene& scene);
+Plan make_refinement_plan(const Plan& plan, const Scene& scene, Accuracy accuracy);
 
 }  // namespace gnomon

@@ -1,5 +1,8 @@
 #include "program.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "clock.h"
 #include "error.h"
 #include "kernel_source.h"
@@ -24,6 +27,12 @@ std::string Programs::options(const Variant& variant) const {
 
 std::string Programs::key(const Variant& variant) const {
     return std::string(to_string(variant.kernel)) + " " + options(variant);
+}
+
+int Programs::group_limit_of(const cl::Kernel& kernel) const {
+    uint64_t most = info_.max_kernel_group;
+    if (most == 0) most = kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(devices_.front());
+    return static_cast<int>(std::min<uint64_t>(most, std::numeric_limits<int>::max()));
 }
 
 std::string Programs::cache_key(const std::string& source, const std::string& options) const {
@@ -84,7 +93,7 @@ const BuiltKernel& Programs::get(const Variant& variant) {
     const cl::Program program = kept ? *kept : from_source(name, source, options);
     if (!kept && cache_) keep(cache_key, program);
     const cl::Kernel kernel(program, name.c_str());
-    return built_[key(variant)] = {kernel, options, now() - start, kept.has_value()};
+    return built_[key(variant)] = {kernel, options, now() - start, kept.has_value(), group_limit_of(kernel)};
 }
 
 }  // namespace gnomon

@@ -19,6 +19,7 @@ struct BuiltKernel {
     std::string options;
     double build_seconds = 0;
     bool from_cache = false;  ///< a binary of an earlier run was used
+    int group_limit = 1;  ///< work-items that a group of it may have: registers may allow fewer than the device does
 };
 
 /// The kernels of one device. Not for use by several threads at once.
@@ -38,6 +39,7 @@ class Programs {
 
   private:
     std::string options(const Variant& variant) const;
+    int group_limit_of(const cl::Kernel& kernel) const;
     std::string key(const Variant& variant) const;  // kernel and options, as the compiler sees them
     std::string cache_key(const std::string& source, const std::string& options) const;
     std::optional<cl::Program> from_cache(const std::string& cache_key, const std::string& options);

@@ -9,8 +9,9 @@ namespace gnomon {
 namespace {
 
 /// What kernels wrote for a batch of rays, in block order.
+template <class real>
 struct Traced {
-    std::vector<double> ts, normals, radiance;
+    std::vector<real> ts, normals, radiance;
     std::vector<int> ids;
 };
 
@@ -20,7 +21,8 @@ size_t at(int k, size_t c, size_t n) {
     return (ray / BLOCK_RAYS * n + c) * BLOCK_RAYS + ray % BLOCK_RAYS;
 }
 
-Vec3 three(const std::vector<double>& values, int k) {
+template <class real>
+Vec3 three(const std::vector<real>& values, int k) {
     return {values[at(k, 0, 3)], values[at(k, 1, 3)], values[at(k, 2, 3)]};
 }
 
@@ -57,14 +59,15 @@ std::vector<int> Refinement::refine(const std::vector<int>& pixels, const std::v
     for (int first = 0; first < all; first += refinement_batch) {
         const int count = std::min(refinement_batch, all - first);
         trace(places, first, count);
-        write(pixels.data() + first, count, undecided);
+        with_real(plan_.accuracy, [&](auto real) { write<decltype(real)>(pixels.data() + first, count, undecided); });
     }
     return undecided;
 }
 
-void Refinement::launch(const Step& step, const cl::Kernel& kernel, int items) {
+void Refinement::launch(const Step& step, const BuiltKernel& built, const cl::Kernel& kernel, int items) {
     KernelPace& pace = pace_.of(plan_.variants[static_cast<size_t>(step.variant)].name());
-    launches_.launch(queue_, {kernel, &pace, 0, items, plan_.local_size, units_}, last_);
+    const int local = std::min(plan_.local_size, built.group_limit);
+    launches_.launch(queue_, {kernel, &pace, 0, items, local, units_}, last_);
 }
 
 void Refinement::trace(const cl::Buffer& places, int first, int count) {
@@ -72,26 +75,28 @@ void Refinement::trace(const cl::Buffer& places, int first, int count) {
     const Tile tile{0, 0, blocks, blocks};
     undecided_.clear(queue_, &last_.emplace_back());
     for (const Step& step : plan_.steps) {
-        cl::Kernel kernel = programs_.get(plan_.variants[static_cast<size_t>(step.variant)]).kernel;
+        const BuiltKernel& built = programs_.get(plan_.variants[static_cast<size_t>(step.variant)]);
+        cl::Kernel kernel = built.kernel;
         if (step.kernel == Kernel::refine_rays) {
             set_arguments(kernel, scene_.eye, places, first, count, blocks * BLOCK_RAYS, tile_.dirs);
-            launch(step, kernel, blocks * BLOCK_RAYS);
+            launch(step, built, kernel, blocks * BLOCK_RAYS);
             continue;
         }
         const SphereBuffers& spheres =
             step.light < 0 ? scene_.spheres : scene_.lights[static_cast<size_t>(step.light)].spheres;
         binder_.bind(kernel, {step, tile, tile_, 0, 0, &spheres});
-        launch(step, kernel, plan_.items(step.kernel, tile));
+        launch(step, built, kernel, plan_.items(step.kernel, tile));
     }
     queue_.finish();
     last_.clear();
     launches_.measure_all();
 }
 
+template <class real>
 void Refinement::write(const int* pixels, int count, std::vector<int>& undecided) {
     const size_t rays = (static_cast<size_t>(count) + BLOCK_RAYS - 1) / BLOCK_RAYS * BLOCK_RAYS;
     const bool shaded = plan_.uses(Kernel::shade_light);
-    Traced traced;
+    Traced<real> traced;
     read(queue_, tile_.ts, rays, traced.ts);
     read(queue_, tile_.normals, 3 * rays, traced.normals);
     std::vector<uint32_t> open;

@@ -1,4 +1,4 @@
-// The pixels that rounding may have decided, computed again in double with the same kernels.
+// The pixels that rounding may have decided, computed again with the same kernels, each by itself.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@
 
 namespace gnomon {
 
-/// Writes pixels of which double decides everything into the planes that the film has. `pixels` are places in the
-/// image, row by row; returns those of which it does not. `plan` is the refinement plan, `scene` and `tile` are its
-/// buffers.
+/// Writes pixels of which the plan's arithmetic decides everything into the planes that the film has. `pixels` are
+/// places in the image, row by row; returns those of which it does not, which are written too. `plan` is a refinement
+/// plan, `scene` and `tile` are its buffers.
 class Refinement {
   public:
     Refinement(const Workers& workers, const DeviceMemory& memory, Programs& programs, Pace& pace, const Stop* stop,
@@ -22,8 +22,9 @@ class Refinement {
     double longest_launch() const { return longest_; }
 
   private:
-    void launch(const Step& step, const cl::Kernel& kernel, int items);
+    void launch(const Step& step, const BuiltKernel& built, const cl::Kernel& kernel, int items);
     void trace(const cl::Buffer& places, int first, int count);
+    template <class real>
     void write(const int* pixels, int count, std::vector<int>& undecided);
 
     cl::CommandQueue queue_;

@@ -1,5 +1,7 @@
 #include "stats_json.h"
 
+#include "shortcomings.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -47,6 +49,9 @@ Json to_json(const Check& c) {
 }  // namespace
 
 Json to_json(const DeviceInfo& d) {
+    Json lacks = Json::array();
+    for (const Shortcoming& s : shortcomings(d))
+        lacks.push_back({{"what", s.lack}, {"answer", s.answer}, {"usable", s.usable}});
     return {{"number", d.number()},
             {"type", to_string(d.type)},
             {"name", d.name},
@@ -63,7 +68,15 @@ Json to_json(const DeviceInfo& d) {
             {"correctly_rounded", d.correctly_rounded},
             {"double", d.fp64},
             {"out_of_order", d.out_of_order},
-            {"shares_memory", d.shares_memory}};
+            {"shares_memory", d.shares_memory},
+            {"address_bits", d.address_bits},
+            {"max_parameter_bytes", d.max_parameter_bytes},
+            {"max_constant_bytes", d.max_constant_bytes},
+            {"fast_fma", d.fast_fma},
+            {"subnormals", d.subnormals},
+            {"little_endian", d.little_endian},
+            {"compiler", d.has_compiler},
+            {"lacks", lacks}};
 }
 
 Json to_json(const RunStats& run, const Scene& scene, const std::vector<DeviceInfo>& devices) {

@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "error.h"
+#include "shortcomings.h"
 #include "tiling.h"
 
 namespace gnomon {
@@ -84,6 +85,7 @@ std::vector<RenderStats> results_of(std::vector<std::future<RenderStats>>& runni
 Team::Team(const std::vector<DeviceInfo>& devices) {
     if (devices.empty()) throw Error(Blame::run, "no device to render on");
     for (const DeviceInfo& device : devices) {
+        check_usable(device);
         try {
             members_.push_back(std::make_unique<DeviceRenderer>(device));
         } catch (const cl::Error& error) {
@@ -98,6 +100,7 @@ void Team::check_accuracy(Accuracy accuracy) const {
 
 std::vector<Plan> Team::make_plans(const Scene& scene, const Survey& survey, const RenderOptions& options) const {
     std::vector<Plan> plans;
+    for (const auto& member : members_) check_spheres(survey.count, member->info());
     std::vector<DeviceLimits> limits;
     for (const auto& member : members_) {
         limits.push_back(limits_of(member->info(), !has_several()));

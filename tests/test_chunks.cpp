@@ -138,6 +138,22 @@ TEST_CASE("chunks: tables of all kinds, whole and cut", "[chunks]") {
     });
 }
 
+TEST_CASE("chunks: what an earlier picture left takes no room", "[chunks]") {
+    on_every_device([](Renderer& renderer) {
+        const Scene scene = lit(Crowd::strewn, 60000);
+        RenderOptions before = all_outputs();
+        // Tiles of doubles for what is undecided; large tiles and all pencils' views.
+        for (const Accuracy accuracy : {Accuracy::certified, Accuracy::strict}) {
+            before.accuracy = accuracy;
+            Film film, cut;
+            renderer.render(scene, before, film);
+            const RenderStats stats = render_within(renderer, scene, tight, 2048, cut);
+            CHECK(stats.chunks > 1);
+            CHECK(stats.peak_bytes <= stats.planned_bytes);
+        }
+    });
+}
+
 TEST_CASE("frames in which the spheres stay use what was built over them", "[chunks]") {
     on_every_device([](Renderer& renderer) {
         const auto gathered = [](const RenderStats& stats) {

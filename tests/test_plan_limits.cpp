@@ -42,8 +42,9 @@ TEST_CASE("a CPU gets lanes as wide as its vectors, a GPU one", "[plan]") {
     CHECK(lanes_for(16) == 16);
     CHECK(lanes_for(8) == 8);
     CHECK(lanes_for(4) == 4);
-    CHECK(lanes_for(1) == 4);
-    CHECK(lanes_for(0) == 4);
+    CHECK(lanes_for(2) == 4);
+    CHECK(lanes_for(1) == 1);
+    CHECK(lanes_for(0) == 1);
     CHECK(lanes_for(1, false) == 1);
     CHECK(lanes_for(16, false) == 1);
     for (const int asked : {1, 4, 8, 16}) {

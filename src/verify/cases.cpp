@@ -6,6 +6,8 @@
 #include "report/draws.h"
 #include "report/embedded_scenes.h"
 #include "scene_io.h"
+#include "shortcomings.h"
+#include "survey.h"
 #include "table_rows.h"
 
 namespace gnomon::verify {
@@ -63,6 +65,8 @@ Scene crowd(int64_t count) {
     scene.lights = {DirectionalLight{{1, 2, -1.5}, {2, 3, 4}}, PointLight{{-9, 12, -15}, {4000, 3000, 2000}}};
     return scene;
 }
+
+bool Case::suits(const DeviceInfo& device) const { return survey(scene).count <= most_spheres(device); }
 
 std::vector<Case> cases(bool quick) {
     const ImageSize& size = quick ? quick_size : full_size;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "accuracy.h"
+#include "device.h"
 #include "scene.h"
 
 namespace gnomon::verify {
@@ -16,6 +17,8 @@ struct Case {
     Scene scene;
     uint64_t memory = 0;  ///< bytes of the device that may be used, so that the spheres go through it in chunks; 0: all
 
+    /// Whether the device can render it at all.
+    bool suits(const DeviceInfo& device) const;
     /// Certified pictures want all spheres on the device at once.
     bool has(Accuracy accuracy) const { return memory == 0 || accuracy != Accuracy::certified; }
 };

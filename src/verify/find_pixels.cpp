@@ -15,7 +15,22 @@ bool same_bits(const Value& a, const Value& b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
-/// Ids come first, since they are computed first.
+/// A device that went through all of its pictures and has this one as recorded.
+const Verdict* witness(const std::vector<Verdict>& verdicts, const Difference& difference, const Case& of) {
+    const std::string mode = to_string(difference.mode);
+    for (const Verdict& verdict : verdicts) {
+        const std::vector<Mode> able = modes(verdict.device);
+        const bool tried = verdict.error.empty() && of.suits(verdict.device) &&
+                           std::any_of(able.begin(), able.end(), [&](const Mode& m) { return to_string(m) == mode; });
+        const bool other = std::any_of(verdict.differences.begin(), verdict.differences.end(),
+                                       [&](const Difference& d) { return d.picture == difference.picture; });
+        if (tried && !other) return &verdict;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
 std::optional<Pixel> first_pixel(const Film& film, const Film& expected) {
     for (size_t p = 0; p < film.pixels(); ++p) {
         const auto at = static_cast<int>(p);
@@ -34,26 +49,10 @@ std::optional<Pixel> first_pixel(const Film& film, const Film& expected) {
     return {};
 }
 
-/// A device that went through all of its pictures and has this one as recorded.
-const Verdict* witness(const std::vector<Verdict>& verdicts, const Difference& difference) {
-    const std::string mode = to_string(difference.mode);
-    for (const Verdict& verdict : verdicts) {
-        const std::vector<Mode> able = modes(verdict.device);
-        const bool tried = verdict.error.empty() &&
-                           std::any_of(able.begin(), able.end(), [&](const Mode& m) { return to_string(m) == mode; });
-        const bool other = std::any_of(verdict.differences.begin(), verdict.differences.end(),
-                                       [&](const Difference& d) { return d.picture == difference.picture; });
-        if (tried && !other) return &verdict;
-    }
-    return nullptr;
-}
-
-}  // namespace
-
 void find_pixels(std::vector<Verdict>& verdicts, const std::vector<Case>& cases, const Say& say) {
     for (Verdict& verdict : verdicts) try {
             for (Difference& difference : verdict.differences) {
-                const Verdict* right = witness(verdicts, difference);
+                const Verdict* right = witness(verdicts, difference, cases[difference.scene]);
                 if (!right) continue;
                 say(verdict.device.number() + " and " + right->device.number() + " " + difference.picture);
                 Film film, expected;

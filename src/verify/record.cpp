@@ -26,8 +26,7 @@ Print print_of(Renderer& renderer, const Case& of, const Mode& mode) {
 Json to_json(const Print& print) {
     Json json;
     for (size_t r = 0; r < results.size(); ++r) json[results[r]] = print.picture.sha1[r];
-    json["rows"] = print.picture.rows;
-    json["columns"] = print.picture.columns;
+    for (size_t kind = 0; kind < lines.size(); ++kind) json[lines[kind]] = print.picture.shorts[kind];
     json["lights"] = Json::array();
     for (const LightPrint& light : print.lights)
         json["lights"].push_back({{"shaded", light.shaded}, {"shadowed", light.shadowed}});
@@ -36,16 +35,16 @@ Json to_json(const Print& print) {
 
 Print print_from(const JsonReader& json) {
     JsonReader::Keys keys(results.begin(), results.end());
-    keys.insert(keys.end(), {"rows", "columns", "lights"});
+    keys.insert(keys.end(), lines.begin(), lines.end());
+    keys.push_back("lights");
     json.expect_object("a picture", keys);
     Print print;
     for (size_t r = 0; r < results.size(); ++r) print.picture.sha1[r] = json[results[r]].text();
-    print.picture.rows = json["rows"].text();
-    print.picture.columns = json["columns"].text();
-    const JsonReader lights = json["lights"];
-    for (size_t i = 0; i < lights.array_size(); ++i) {
-        lights[i].expect_object("a light", {"shaded", "shadowed"});
-        print.lights.push_back({lights[i]["shaded"].text(), lights[i]["shadowed"].text()});
+    for (size_t kind = 0; kind < lines.size(); ++kind) print.picture.shorts[kind] = json[lines[kind]].text();
+    const JsonReader all = json["lights"];
+    for (size_t i = 0; i < all.array_size(); ++i) {
+        all[i].expect_object("a light", {"shaded", "shadowed"});
+        print.lights.push_back({all[i]["shaded"].text(), all[i]["shadowed"].text()});
     }
     return print;
 }
@@ -75,10 +74,10 @@ const Record& recorded() {
 }
 
 std::string to_text(const Record& record) {
-    std::string lines;
+    std::string text;
     for (const auto& [name, print] : record)
-        lines += (lines.empty() ? "" : ",\n") + Json(name).dump() + ": " + to_json(print).dump();
-    return "{\n" + lines + "\n}\n";
+        text += (text.empty() ? "" : ",\n") + Json(name).dump() + ": " + to_json(print).dump();
+    return "{\n" + text + "\n}\n";
 }
 
 Record parse_record(const std::string& text, const std::string& name) {

@@ -21,9 +21,14 @@ std::string others(const RenderStats& stats) {
     return text;
 }
 
-std::string of_eye(const RenderStats& stats) {
-    const std::string rays = ran(stats, "generate_rays") ? "generate_rays or " : "";
-    return rays + "intersect_closest" + others(stats);
+/// Radiance follows from what the eye's kernels wrote, not from what was resolved of that: it may stay as it was where
+/// these are wrong, but hardly ever does.
+std::string of_eye(const Evidence& evidence) {
+    const RenderStats& stats = evidence.stats;
+    const bool resolved =
+        !evidence.expected.lights.empty() && evidence.found.sha1.back() == evidence.expected.picture.sha1.back();
+    return (resolved ? "resolve or " : "") + std::string(ran(stats, "generate_rays") ? "generate_rays or " : "") +
+           "intersect_closest" + others(stats);
 }
 
 std::string of_light(const RenderStats& stats, size_t light, bool shading) {
@@ -37,7 +42,7 @@ std::string of_light(const RenderStats& stats, size_t light, bool shading) {
 std::string suspect(Renderer& renderer, const Evidence& evidence) {
     const auto& expected = evidence.expected;
     for (size_t r = 0; r + 1 < results.size(); ++r)
-        if (evidence.found.sha1[r] != expected.picture.sha1[r]) return of_eye(evidence.stats);
+        if (evidence.found.sha1[r] != expected.picture.sha1[r]) return of_eye(evidence);
     Film film;
     for (size_t light = 0; light < expected.lights.size(); ++light)
         for (const bool shadows : {false, true}) {

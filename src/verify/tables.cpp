@@ -51,8 +51,13 @@ Json to_json(const Pixel& p) {
 }
 
 Json to_json(const Difference& d) {
-    return {{"picture", d.picture}, {"results", d.results}, {"rows", d.rows},
-            {"columns", d.columns}, {"kernel", d.suspect},  {"first_pixel", d.pixel ? to_json(*d.pixel) : Json()}};
+    Json places = Json::array();
+    for (const Place& place : d.places) places.push_back({place.x, place.y});
+    return {{"picture", d.picture},
+            {"results", d.results},
+            {"kernel", d.suspect},
+            {"first_pixel_one_of", places},
+            {"first_pixel", d.pixel ? to_json(*d.pixel) : Json()}};
 }
 
 Json to_json(const Verdict& v) {

@@ -17,16 +17,20 @@ const Print& expected_print(const Record& record, const std::string& picture) {
     return found->second;
 }
 
-std::vector<std::string> notes_about(const DeviceInfo& device) {
-    if (device.fp64) return {};
-    return {"double is not tried: the device lacks cl_khr_fp64; certified decides exactly what float leaves open"};
+std::vector<std::string> notes_about(const DeviceInfo& device, const std::vector<Case>& cases) {
+    std::vector<std::string> notes;
+    if (!device.fp64)
+        notes.push_back(
+            "double is not tried: the device lacks cl_khr_fp64; certified decides exactly what float "
+            "leaves open");
+    for (const Case& of : cases)
+        if (!of.suits(device)) notes.push_back(of.name + " is not tried: see `gnomon devices`");
+    return notes;
 }
 
 Difference difference(const std::string& picture, size_t scene, const Mode& mode, const Fingerprint& found,
                       const Fingerprint& expected) {
-    Difference made{
-        scene, mode, picture, {}, differing(found.rows, expected.rows), differing(found.columns, expected.columns),
-        "",    {}};
+    Difference made{scene, mode, picture, {}, first_differing(found, expected), "", {}};
     for (size_t r = 0; r < results.size(); ++r)
         if (found.sha1[r] != expected.sha1[r]) made.results.push_back(results[r]);
     return made;
@@ -46,7 +50,7 @@ void compare(Renderer& renderer, const Case& of, size_t scene, const Mode& mode,
 }  // namespace
 
 Verdict verify_device(const DeviceInfo& device, const std::vector<Case>& cases, const Record& record, const Say& say) {
-    Verdict verdict{device, 0, {}, notes_about(device), "", 0};
+    Verdict verdict{device, 0, {}, notes_about(device, cases), "", 0};
     for (const Case& of : cases)
         for (const Mode& mode : modes(device))
             if (of.has(mode.accuracy)) expected_print(record, picture_name(of, mode));
@@ -56,7 +60,7 @@ Verdict verify_device(const DeviceInfo& device, const std::vector<Case>& cases, 
         Renderer renderer(device);
         for (size_t scene = 0; scene < cases.size(); ++scene)
             for (const Mode& mode : modes(device)) {
-                if (!cases[scene].has(mode.accuracy)) continue;
+                if (!cases[scene].has(mode.accuracy) || !cases[scene].suits(device)) continue;
                 picture = picture_name(cases[scene], mode);
                 say(device.number() + " " + picture);
                 compare(renderer, cases[scene], scene, mode, expected_print(record, picture), verdict);
@@ -70,9 +74,10 @@ Verdict verify_device(const DeviceInfo& device, const std::vector<Case>& cases, 
 
 std::string Difference::place() const {
     if (pixel) return fmt::format("pixel ({}, {})", pixel->x, pixel->y);
-    if (rows.empty() || columns.empty()) return "unknown pixel";  // all short hashes happen to be the same
-    if (columns.size() == 1) return fmt::format("pixel ({}, {})", columns.front(), rows.front());
-    return fmt::format("row {}, a column from {} to {}", rows.front(), columns.front(), columns.back());
+    if (places.empty()) return "unknown pixel";  // all short hashes happen to be the same
+    const Place &first = places.front(), &last = places.back();
+    if (places.size() == 1) return fmt::format("pixel ({}, {})", first.x, first.y);
+    return fmt::format("pixel in row {}, one of {} from {} to {}", first.y, places.size(), first.x, last.x);
 }
 
 }  // namespace gnomon::verify

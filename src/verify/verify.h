@@ -24,7 +24,7 @@ struct Difference {
     Mode mode;
     std::string picture;
     std::vector<std::string> results;  ///< that differ, in the order in which they are computed
-    std::vector<int> rows, columns;    ///< that do: the first pixel is in the first row and in one of the columns
+    std::vector<Place> places;         ///< the first pixel that differs is one of these, all of one row
     std::string suspect;               ///< the kernel
     std::optional<Pixel> pixel;        ///< if another device tells
 
@@ -47,6 +47,10 @@ struct Verdict {
 /// Renders all cases in all of the device's modes. What the device or its compiler fails at becomes the verdict's
 /// error, and ends it. Throws Error when the record lacks a picture.
 Verdict verify_device(const DeviceInfo& device, const std::vector<Case>& cases, const Record& record, const Say& say);
+
+/// The first pixel of which any bit differs, row by row, and in it the first channel, ids first, since they are
+/// computed first. Both films have all results and one size. The device is left open.
+std::optional<Pixel> first_pixel(const Film& film, const Film& expected);
 
 /// Finds the pixels: each picture that differs is rendered again there and on the first of the devices that has it as
 /// recorded, if there is one.
