@@ -20,7 +20,8 @@ void launch_two(Bench& bench, const std::string& source, size_t local) {
     cl::Program program(bench.context, source);
     program.build({bench.device}, "");
     cl::Kernel kernel(program, "test");
-    kernel.setArg(0, cl::Buffer(bench.context, CL_MEM_READ_WRITE, 2 * sizeof(int)));
+    const cl::Buffer to(bench.context, CL_MEM_READ_WRITE, 2 * sizeof(int));
+    kernel.setArg(0, to);
     bench.queue.enqueueNDRangeKernel(kernel, cl::NullRange, 2, local);
     bench.queue.finish();
 }
