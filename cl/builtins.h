@@ -1,6 +1,7 @@
 // What the kernels use of OpenCL C's library, declared (-D DECLARE_BUILTINS=1) as the specification has it: OpenCL C
 // 1.2, 6.12. PoCL has clang read all 15 000 declarations before each kernel, most of the time that a small one takes to
-// build; told that they are there already (-D _OPENCL_H_, their header's guard), it does not.
+// build; told that they are there already (-D _OPENCL_H_, their header's guard), it does not. Types and macros, such as
+// as_int16() and INFINITY, are in another header, a short one, which it reads all the same.
 #ifndef GNOMON_BUILTINS_H
 #define GNOMON_BUILTINS_H
 
@@ -11,40 +12,11 @@
 #define WRITES __attribute__((overloadable))
 #define MEETS __attribute__((overloadable, convergent))  // all work-items of a group: not to be moved into a branch
 
-// 6.2.4.2, reinterpreting: macros in clang's headers too, of which PoCL reads the short one all the same.
-#ifndef as_int
-#define AS_TYPE(type, x) __builtin_astype(x, type)
-#define as_int(x) AS_TYPE(int, x)
-#define as_int4(x) AS_TYPE(int4, x)
-#define as_int8(x) AS_TYPE(int8, x)
-#define as_int16(x) AS_TYPE(int16, x)
-#define as_uint4(x) AS_TYPE(uint4, x)
-#define as_uint16(x) AS_TYPE(uint16, x)
-#define as_float(x) AS_TYPE(float, x)
-#define as_float4(x) AS_TYPE(float4, x)
-#define as_float8(x) AS_TYPE(float8, x)
-#define as_float16(x) AS_TYPE(float16, x)
-#define as_double(x) AS_TYPE(double, x)
-#define as_long(x) AS_TYPE(long, x)
-#endif
-
-#ifndef INFINITY
-#define INFINITY __builtin_huge_valf()
-#endif
-#ifndef NAN
-#define NAN __builtin_nanf("")
-#endif
-#ifndef CLK_LOCAL_MEM_FENCE
-#define CLK_LOCAL_MEM_FENCE 1
-#endif
-
 // 6.12.1, work-items.
 size_t PURE get_global_id(uint dimension);
-size_t PURE get_global_size(uint dimension);
 size_t PURE get_local_id(uint dimension);
 size_t PURE get_local_size(uint dimension);
 size_t PURE get_group_id(uint dimension);
-size_t PURE get_num_groups(uint dimension);
 void MEETS barrier(uint fences);  // 6.12.8
 
 // 6.12.2, floating point.
@@ -53,12 +25,12 @@ void MEETS barrier(uint fences);  // 6.12.8
     type PURE floor(type);           \
     type PURE fma(type, type, type); \
     type PURE sqrt(type);
-// 6.12.7, vectors in memory.
+// 6.12.7, vectors in memory. A pointer of no named space is private in OpenCL C 1.2 and generic later (PoCL 6).
 #define DECLARE_VECTORS(scalar, vector, n)                 \
     vector READS vload##n(size_t, const global scalar*);   \
-    vector READS vload##n(size_t, const private scalar*);  \
+    vector READS vload##n(size_t, const scalar*);          \
     void WRITES vstore##n(vector, size_t, global scalar*); \
-    void WRITES vstore##n(vector, size_t, private scalar*);
+    void WRITES vstore##n(vector, size_t, scalar*);
 // 6.2.3, conversions, all between types of n lanes.
 #define DECLARE_CONVERSIONS(n)                \
     float##n PURE convert_float##n(int##n);   \
