@@ -1,9 +1,7 @@
 #include "binary_cache.h"
 
 #include <cstdlib>
-#include <fstream>
 #include <mutex>
-#include <sstream>
 
 #include "error.h"
 #include "sha1.h"
@@ -18,13 +16,6 @@ namespace {
 // A file is this line, the SHA-1 of all that follows it, the SHA-1 of the key, and the binary.
 const std::string first_line = "gnomon: built kernels, format 1\n";
 constexpr size_t digest_size = 40;
-
-std::string read_all(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream bytes;
-    bytes << in.rdbuf();
-    return bytes.str();  // of a file that is not there: empty, and so not what it has to be
-}
 
 std::string environment(const char* name) {
     const char* value = std::getenv(name);
@@ -46,7 +37,7 @@ bool keeps_binaries(const DeviceInfo& device) {
 fs::path BinaryCache::file_of(const std::string& key) const { return folder_ / (sha1_hex(key) + ".kernels"); }
 
 std::optional<std::string> BinaryCache::find(const std::string& key) const {
-    const std::string bytes = read_all(file_of(key)), digest = sha1_hex(key);
+    const std::string bytes = read_text(file_of(key)), digest = sha1_hex(key);
     const size_t start = first_line.size() + digest_size;
     if (bytes.size() < start + digest_size || bytes.compare(0, first_line.size(), first_line) != 0) return std::nullopt;
     const std::string rest = bytes.substr(start);

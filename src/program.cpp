@@ -88,7 +88,7 @@ const BuiltKernel& Programs::get(const Variant& variant) {
     if (known != built_.end()) return known->second;
     const double start = now();
     const std::string name = to_string(variant.kernel), options = this->options(variant), source = kernel_source(name);
-    const std::string cache_key = this->cache_key(source, options);
+    const std::string cache_key = cache_ ? this->cache_key(source, options) : "";
     const std::optional<cl::Program> kept = from_cache(cache_key, options);
     const cl::Program program = kept ? *kept : from_source(name, source, options);
     if (!kept && cache_) keep(cache_key, program);

@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <cerrno>
+#include <fstream>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -97,6 +99,13 @@ void check_folder(const std::string& file) {
     if (!fs::is_directory(folder, ignored)) refuse(folder.string() + " is not a folder", "choose another path");
     if (access(folder.c_str(), W_OK | X_OK) != 0)
         refuse("cannot write to folder " + folder.string() + ": " + reason(errno), "choose another folder");
+}
+
+std::string read_text(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream bytes;
+    bytes << in.rdbuf();
+    return bytes.str();
 }
 
 void write_text(const std::string& path, const std::string& text) {

@@ -46,6 +46,9 @@ void remove_temporary_files() noexcept;
 /// Throws Error(Blame::input) unless `path` names a file, there or not, in a folder that can be written to.
 void check_folder(const std::string& path);
 
+/// All bytes of a file; none of one that is not there or cannot be read.
+std::string read_text(const std::filesystem::path& path);
+
 /// Writes a whole text file.
 void write_text(const std::string& path, const std::string& text);
 

@@ -6,9 +6,7 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <list>
-#include <sstream>
 
 #include "error.h"
 #include "temporary_file.h"
@@ -67,22 +65,16 @@ int gnuplot(const fs::path& folder, const char* argument) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-std::string read(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
 std::string draw_one(const fs::path& folder, const std::string& script) {
     const fs::path svg = folder / "out.svg";
     fs::remove(svg);
     write_text((folder / "script.gp").string(), script);
     const int code = gnuplot(folder, "script.gp");
-    const std::string drawn = read(svg);
+    const std::string drawn = read_text(svg);
     if (code != 0 || drawn.find("</svg>") == std::string::npos)
-        throw Error(Blame::run, "gnuplot failed (exit code " + std::to_string(code) + "): " + read(folder / "said"),
-                    "plots", "the report needs gnuplot 5.4 or later");
+        throw Error(Blame::run,
+                    "gnuplot failed (exit code " + std::to_string(code) + "): " + read_text(folder / "said"), "plots",
+                    "the report needs gnuplot 5.4 or later");
     return drawn;
 }
 
