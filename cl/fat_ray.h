@@ -44,11 +44,11 @@ static inline FatRay fat_ray(const vec3w* dir, const wholew* open, Basis basis) 
         const intw counts = ints_of(open[k]);
         const floatw along = dot_f(basis.axis, d), scale = wide_float(1.0f) / along;
         const floatw x = dot_f(basis.u, d) * scale, y = dot_f(basis.v, d) * scale;
-        x0 = LESS(counts ? x : x0, x0);
-        x1 = MORE(counts ? x : x1, x1);
-        y0 = LESS(counts ? y : y0, y0);
-        y1 = MORE(counts ? y : y1, y1);
-        ahead = LESS(counts ? along : ahead, ahead);
+        x0 = LESS_WHERE(counts, x, x0);
+        x1 = MORE_WHERE(counts, x, x1);
+        y0 = LESS_WHERE(counts, y, y0);
+        y1 = MORE_WHERE(counts, y, y1);
+        ahead = LESS_WHERE(counts, along, ahead);
     }
     if (!(REDUCE(least, ahead) > 0.0f)) return fat_ray_between(-INFINITY, INFINITY, -INFINITY, INFINITY, basis);
     return fat_ray_between(REDUCE(least, x0), REDUCE(most, x1), REDUCE(least, y0), REDUCE(most, y1), basis);

@@ -81,11 +81,11 @@ static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hi
     FOR_PACKETS(k) {
         const realw t = sphere_root(s, b[k], discriminant[k]);
         const wholew plain = near[k] & (discriminant[k] > off.plain), closer = plain & (t < hit[k].t);
-        const realw loser = kept * (closer ? hit[k].t : plain ? t : wide(INFINITY));
-        const realw other = (near[k] & !plain) ? b[k] - off.back : loser;
+        const realw loser = kept * choose(closer, hit[k].t, choose(plain, t, wide(INFINITY)));
+        const realw other = choose(near[k] & !plain, b[k] - off.back, loser);
         bounds->other[k] = LESS(bounds->other[k], other);
-        hit[k].t = closer ? t : hit[k].t;
-        hit[k].id = closer ? (wholew)(s.id) : hit[k].id;
+        hit[k].t = choose(closer, t, hit[k].t);
+        hit[k].id = choose(closer, (wholew)(s.id), hit[k].id);
         hit[k].center = select_w(closer, broadcast(s.center), hit[k].center);
     }
     return 1;
@@ -110,8 +110,8 @@ static inline int may_be_closer(wholew meets, realw b, float reach, Hit hit) {
 // Of equal distances the lowest id's.
 static inline void keep_closer(PencilSphere s, wholew meets, realw t, Hit* hit) {
     const wholew closer = meets & (t > 0.0f) & ((t < hit->t) | ((t == hit->t) & (hit->id > s.id)));
-    hit->t = closer ? t : hit->t;
-    hit->id = closer ? (wholew)(s.id) : hit->id;
+    hit->t = choose(closer, t, hit->t);
+    hit->id = choose(closer, (wholew)(s.id), hit->id);
     hit->center = select_w(closer, broadcast(s.center), hit->center);
 }
 
@@ -170,7 +170,7 @@ static inline realw reaches(Hit hit) { return hit.t; }
 // Where the farthest of the closest hits is; rays that are none do not count.
 static inline float farthest_hit(const Hit* hit, const wholew* valid) {
     floatw farthest = wide_float(0.0f);
-    FOR_PACKETS(k) farthest = MORE(floats_of(valid[k] ? reaches(hit[k]) : wide(0.0f)), farthest);
+    FOR_PACKETS(k) farthest = MORE_WHERE(ints_of(valid[k]), floats_of(reaches(hit[k])), farthest);
     return REDUCE(most, farthest);
 }
 
@@ -289,12 +289,12 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
         open |= bits_of_packet(valid[k] & (off == INFINITY), k);
         curved = MORE(curved, floats_of(hit[k].id >= 0 ? inverse : wide(0.0f)));
 #endif
-        hits += hit[k].id >= 0 ? (wholew)(1) : (wholew)(0);
+        hits += choose(hit[k].id >= 0, (wholew)(1), (wholew)(0));
 #if CHUNKS
         if (!first_chunk) {
             const wholew before = load_i(ids, item, k);  // hits that stayed as they were have no centre here
             normal = select_w(hit[k].id != before, normal, load_3(normals, item, k));
-            hits -= before >= 0 ? (wholew)(1) : (wholew)(0);
+            hits -= choose(before >= 0, (wholew)(1), (wholew)(0));
         }
 #endif
         store_3(normal, normals, item, k);

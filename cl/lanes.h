@@ -7,7 +7,7 @@
 // both pairs are one, and what converts between them does nothing.
 //
 // A comparison gives 1 for true when LANES is 1 and -1 when it is more; masks are therefore only ever combined with &
-// and |, negated with !, and used by `mask ? a : b`, which reads both alike. Literals are floats: they widen by
+// and |, negated with !, and used by choose(mask, a, b), which reads both alike. Literals are floats: they widen by
 // themselves.
 #ifndef GNOMON_LANES_H
 #define GNOMON_LANES_H
@@ -113,6 +113,24 @@ static inline int any_lane(wholew mask) { return REDUCE(or, ints_of(mask)); }
 #endif
 #endif
 
+// a where the mask holds, else b. In OpenCL C that is `mask ? a : b`, of which clang makes and, or and not of bits
+// where a, b are vectors; told so, it blends, keeps masks in mask registers, and sees a minimum in LESS_WHERE.
+#if CLANG_TO_MACHINE && LANES == 16 && defined(__AVX512DQ__) && !REAL_IS_DOUBLE
+#define BLEND(which, mask, a, b) which((ushort)__builtin_ia32_cvtd2mask512(mask), a, b)
+static inline floatw __attribute__((overloadable)) choose(intw mask, floatw a, floatw b) {
+    return as_floatw(BLEND(__builtin_ia32_selectps_512, mask, a, b));
+}
+static inline intw __attribute__((overloadable)) choose(intw mask, intw a, intw b) {
+    return as_intw(BLEND(__builtin_ia32_selectd_512, mask, a, b));
+}
+#else
+#define choose(mask, a, b) ((mask) ? (a) : (b))
+#endif
+
+// The less, or more, of a and b where the mask holds, else b.
+#define LESS_WHERE(mask, a, b) choose(mask, choose((a) < (b), a, b), b)
+#define MORE_WHERE(mask, a, b) choose(mask, choose((a) > (b), a, b), b)
+
 // A condition that hardly ever holds.
 #if CLANG_TO_MACHINE
 #define UNLIKELY(condition) __builtin_expect((condition) != 0, 0)
@@ -138,7 +156,7 @@ static inline vec3w fma_w(realw s, vec3w a, vec3w b) {
 }
 static inline vec3w broadcast(Real3 a) { return (vec3w){wide(a.x), wide(a.y), wide(a.z)}; }
 static inline vec3w select_w(wholew mask, vec3w a, vec3w b) {
-    return (vec3w){mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
+    return (vec3w){choose(mask, a.x, b.x), choose(mask, a.y, b.y), choose(mask, a.z, b.z)};
 }
 
 // The same for bounds.

@@ -46,7 +46,14 @@ static inline wholew occludes(PencilSphere s, ShadowRay ray) {
     if (looks_small(s)) return by_disc;
     const realw power = wide(s.power) + fma(wide(-2.0f), dot_r(s.center, ray.from), ray.squared);
     const wholew by_power = (power < 0.0f) | ((ahead > 0.0f) & (fma(ahead, ahead, -power) >= 0.0f));
-    return ray.squared < wide(s.r2) ? by_power : by_disc;
+    return choose(ray.squared < wide(s.r2), by_power, by_disc);
+}
+
+// Whether it may: where it does not, occludes is 0.
+static inline wholew may_occlude(PencilSphere s, ShadowRay ray) {
+    const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
+    const wholew by_disc = fma(-x, x, fma(-y, y, wide(s.r2))) >= 0.0f;
+    return looks_small(s) ? by_disc : by_disc | (ray.squared < wide(s.r2));
 }
 
 #if CERTIFIED
@@ -119,11 +126,11 @@ static inline FatShadowRay fat_shadow_ray(LightPencil light, int face, const Sha
     FOR_PACKETS(k) {
         const float3w from = floats_of_3(ray[k].from);
         const intw counts = ints_of(open[k]);
-        x0 = LESS(counts ? from.x : x0, x0);
-        x1 = MORE(counts ? from.x : x1, x1);
-        y0 = LESS(counts ? from.y : y0, y0);
-        y1 = MORE(counts ? from.y : y1, y1);
-        back = LESS(counts ? from.z : back, back);
+        x0 = LESS_WHERE(counts, from.x, x0);
+        x1 = MORE_WHERE(counts, from.x, x1);
+        y0 = LESS_WHERE(counts, from.y, y0);
+        y1 = MORE_WHERE(counts, from.y, y1);
+        back = LESS_WHERE(counts, from.z, back);
     }
     return (FatShadowRay){REDUCE(least, x0), REDUCE(most, x1), REDUCE(least, y0), REDUCE(most, y1),
                           REDUCE(least, back)};

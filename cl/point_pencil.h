@@ -50,7 +50,14 @@ static inline wholew occludes(PencilSphere s, ShadowRay ray) {
     const realw power = fma(-ray.distance, b + beyond, wide(s.power));
     const wholew outside = (b > 0.0f) & ((power < 0.0f) | ((beyond < 0.0f) & (discriminant >= 0.0f)));
     const wholew inside = (power > 0.0f) & ((b > 0.0f) | (wide(s.power) < 0.0f));
-    return wide(s.power) > 0.0f ? outside : inside;
+    return s.power > 0 ? outside : inside;
+}
+
+// Whether it may: where it does not, occludes is 0.
+static inline wholew may_occlude(PencilSphere s, ShadowRay ray) {
+    if (!is_apart(s)) return (wholew)(-1);
+    const realw b = dot_r(s.center, ray.dir);
+    return (sphere_discriminant(s, ray.dir, b) >= 0.0f) & (b > 0.0f);
 }
 
 #if CERTIFIED
@@ -155,9 +162,9 @@ static inline int face_of(LightPencil light, const ShadowRay* ray, const wholew*
     FOR_PACKETS(k) {
         const float3w dir = floats_of_3(ray[k].dir);
         const intw counts = ints_of(open[k]);
-        sum.x += counts ? dir.x : wide_float(0.0f);
-        sum.y += counts ? dir.y : wide_float(0.0f);
-        sum.z += counts ? dir.z : wide_float(0.0f);
+        sum.x += choose(counts, dir.x, wide_float(0.0f));
+        sum.y += choose(counts, dir.y, wide_float(0.0f));
+        sum.z += choose(counts, dir.z, wide_float(0.0f));
     }
     const float x = REDUCE(sum, sum.x), y = REDUCE(sum, sum.y), z = REDUCE(sum, sum.z);
     int best = 0;
@@ -176,7 +183,7 @@ static inline FatShadowRay fat_shadow_ray(LightPencil light, int face, const Sha
     floatw farthest = wide_float(0.0f);
     FOR_PACKETS(k) {
         dir[k] = ray[k].dir;
-        farthest = MORE(ints_of(open[k]) ? floats_of(ray[k].distance) : farthest, farthest);
+        farthest = MORE_WHERE(ints_of(open[k]), floats_of(ray[k].distance), farthest);
     }
     FatRay fat = fat_ray(dir, open, light.face[face]);
     fat.distance = REDUCE(most, farthest);

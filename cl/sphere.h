@@ -35,9 +35,9 @@ static inline wholew may_meet(PencilSphere s, realw b, realw discriminant, real 
 // the far root; where there is none the result is not > 0.
 static inline realw sphere_root(PencilSphere s, realw b, realw discriminant) {
     const realw root = square_root(discriminant);
-    const realw q = b > 0.0f ? b + root : b - root;
+    const realw q = choose(b > 0.0f, b + root, b - root);
     const realw other = divide(wide(s.power), q);
-    return ((wide(s.power) > 0.0f) | (b <= 0.0f)) ? other : q;
+    return choose((wide(s.power) > 0.0f) | (b <= 0.0f), other, q);
 }
 
 #endif
