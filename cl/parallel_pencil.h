@@ -88,6 +88,13 @@ static inline Edge edge_of(PencilSphere s, RayDoubt doubt, real base) {
     return (Edge){fma(slope, own, 12 * ROUNDING * s.r2), slope};
 }
 
+// Where the ray's line surely misses the sphere, which judge_occlusion then calls clear.
+static inline wholew surely_misses(PencilSphere s, ShadowRay ray, Edge edge) {
+    const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
+    const realw discriminant = fma(-x, x, fma(-y, y, wide(s.r2)));
+    return discriminant < -fma(ray.off, wide(edge.slope), wide(edge.fixed));
+}
+
 // Where the sphere surely occludes the ray, and where it surely does not: D >= 0 says that its line meets it, and D +
 // ahead |ahead| >= 0, which is off by no more than 3 times as much as D, that the farther root is ahead.
 static inline void judge_occlusion(PencilSphere s, ShadowRay ray, Edge edge, wholew* closes, wholew* clear) {

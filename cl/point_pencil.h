@@ -120,6 +120,13 @@ static inline Edge edge_of(PencilSphere s, RayDoubt doubt, real base) {
                   surely_outside(s, power_off),          surely_inside(s, power_off)};
 }
 
+// Where the ray's line surely misses the sphere, which judge_occlusion then calls clear.
+static inline wholew surely_misses(PencilSphere s, ShadowRay ray, Edge edge) {
+    if (edge.inside) return (wholew)(0);
+    const realw discriminant = sphere_discriminant(s, ray.dir, dot_r(s.center, ray.dir));
+    return discriminant < -fma(ray.off, wide(edge.slope), wide(edge.fixed));
+}
+
 // Where the sphere surely occludes the ray, and where it surely does not. From outside D >= 0 says that its line meets
 // it, and D + before |before| >= 0 that the nearer root comes before the receiver; from inside it is met where the
 // receiver is not in the ball.

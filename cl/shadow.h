@@ -89,18 +89,21 @@ static inline int occlude(PencilSphere s, const ShadowRay* ray, const wholew* id
 }
 
 #if CERTIFIED
-// As `occlude`, where that is certain; where it is not, `unsure` says so and the hit stays open.
-static inline int certainly_occlude(PencilSphere s, const ShadowRay* ray, Edge edge, const wholew* id, wholew* open,
-                                    wholew* unsure, realw* share) {
-    wholew changed = 0;
+// As `occlude`, for hits of the group, where that is certain; where it is not, `unsure` says so.
+static inline int certainly_occlude(PencilSphere s, const ShadowRay* ray, Edge edge, const wholew* id,
+                                    const wholew* group, wholew* unsure, realw* share) {
+    wholew may[PACKETS], any = 0, changed = 0;
+    FOR_PACKETS(k) {
+        may[k] = group[k] & (share[k] > 0.0f) & (id[k] != s.id) & !surely_misses(s, ray[k], edge);
+        any |= may[k];
+    }
+    if (!any_lane(any)) return 0;
     FOR_PACKETS(k) {
         wholew closes, clear;
         judge_occlusion(s, ray[k], edge, &closes, &clear);
-        const wholew other = open[k] & (id[k] != s.id);
-        unsure[k] |= other & !(closes | clear);
-        closes &= other;
+        unsure[k] |= may[k] & !(closes | clear);
+        closes &= may[k];
         share[k] = choose(closes, wide(0.0f), share[k]);
-        open[k] &= !closes;
         changed |= closes;
     }
     return any_lane(changed);
@@ -108,18 +111,18 @@ static inline int certainly_occlude(PencilSphere s, const ShadowRay* ray, Edge e
 
 // As `trace_group`. What is certainly occluded is so whatever else is unsure.
 static inline void trace_certain_group(Hierarchy hierarchy, LightPencil light, const ShadowRay* ray,
-                                       Certainty certainty, const wholew* id, wholew* open, wholew* unsure,
+                                       Certainty certainty, const wholew* id, const wholew* group, wholew* unsure,
                                        realw* share) {
-    const int face = face_of(light, ray, open);
-    const RayDoubt doubt = ray_doubt(light, ray, open, certainty.base);
-    const FatShadowRay fat = widened(fat_shadow_ray(light, face, ray, open), light, face, doubt);
+    const int face = face_of(light, ray, group);
+    const RayDoubt doubt = ray_doubt(light, ray, group, certainty.base);
+    const FatShadowRay fat = widened(fat_shadow_ray(light, face, ray, group), light, face, doubt);
     hierarchy.nodes += face * (hierarchy.last + 1);  // each face has its own
     Traversal traversal = begin(hierarchy, fat);
     for (int c; (c = next_cluster(hierarchy, &traversal, fat)) >= 0;)
         for (int rest = shadow_candidates(fat, hierarchy.clusters + c); rest; rest &= rest - 1) {
             const PencilSphere s = sphere_of(hierarchy.clusters + c, lowest_bit(rest));
             const Edge edge = edge_of(s, doubt, certainty.base);
-            if (certainly_occlude(s, ray, edge, id, open, unsure, share) && !any_open(open)) return;
+            if (certainly_occlude(s, ray, edge, id, group, unsure, share) && !any_lit(group, share)) return;
         }
 }
 #endif
@@ -179,7 +182,7 @@ static inline void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil lig
         FOR_PACKETS(k) unsure[k] = 0;
         trace_certain_group(hierarchy, light, ray, certainty, id, group, unsure, share);
         ulong open = 0;
-        FOR_PACKETS(k) open |= bits_of_packet(unsure[k] & group[k], k);
+        FOR_PACKETS(k) open |= bits_of_packet(unsure[k] & (share[k] > 0.0f), k);
         leave_undecided(open, certainty.undecided, item);
 #else
         trace_group(hierarchy, light, ray, id, group, share);
