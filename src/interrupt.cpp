@@ -1,5 +1,6 @@
 #include "interrupt.h"
 
+#include <pthread.h>
 #include <signal.h>
 #include <time.h>
 #include <unistd.h>
@@ -22,6 +23,7 @@ constexpr long patience = 500'000'000;  // ns
 std::atomic<Stop*> heeds{nullptr};
 std::atomic<int> caught{0};
 timer_t timer;
+pthread_t main_thread;
 
 const char* message_of(int signal) {
     if (signal == SIGINT) return "gnomon: interrupted (SIGINT)\n";
@@ -40,7 +42,14 @@ void say(int signal) {
     _exit(128 + signal);
 }
 
+/// Whether another thread than the main one was interrupted: that is then given the signal. It is the one that writes
+/// files, and must not make another when those that are there have been removed.
+bool is_passed_on(int signal) {
+    return !pthread_equal(pthread_self(), main_thread) && pthread_kill(main_thread, signal) == 0;
+}
+
 void on_signal(int signal) {
+    if (is_passed_on(signal)) return;
     const int error = errno;
     int none = 0;
     Stop* const stop = heeds;
@@ -51,7 +60,9 @@ void on_signal(int signal) {
     errno = error;
 }
 
-void on_timer(int) { leave(caught); }
+void on_timer(int signal) {
+    if (!is_passed_on(signal)) leave(caught);
+}
 
 void handle(int signal, void (*handler)(int)) {
     struct sigaction action {};
@@ -69,6 +80,7 @@ bool is_ignored(int signal) {
 }  // namespace
 
 void catch_interrupts() {
+    main_thread = pthread_self();
     sigevent event{};
     event.sigev_notify = SIGEV_SIGNAL;
     event.sigev_signo = SIGALRM;

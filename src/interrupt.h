@@ -6,7 +6,8 @@
 
 namespace gnomon {
 
-/// From now on. A signal that whoever started the program ignores stays ignored, as nohup wants it.
+/// From now on, in the calling thread, which has to be the one that writes files. A signal that whoever started the
+/// program ignores stays ignored, as nohup wants it.
 void catch_interrupts();
 
 /// Whether one has been caught: then whatever fails may fail because of it, as LLVM does when it compiles meanwhile.

@@ -1,16 +1,8 @@
 // Work that is asked to stop, and the program when it is interrupted.
-#include <fcntl.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <chrono>
-#include <thread>
-
 #include "catch.h"
 #include "crowds.h"
+#include "interrupted.h"
 #include "render.h"
-#include "run_program.h"
 #include "scene_json.h"
 #include "scenes.h"
 #include "temporary_file.h"
@@ -27,29 +19,6 @@ Scene lit_by(int lights, int spheres, const ImageSize& image) {
     scene.camera = {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 60};
     for (int i = 0; i < lights; ++i) scene.lights.push_back(PointLight{{i * 0.1, 40, -90}, {1e3, 1e3, 1e3}});
     return scene;
-}
-
-/// Runs the program as a shell would, sends it a signal once a picture is under way, and returns its exit code; -1 when
-/// it was ended by a signal.
-int interrupt(const std::vector<std::string>& arguments, int signal, const std::string& out, const std::string& err) {
-    std::vector<char*> argv{const_cast<char*>(GNOMON_PROGRAM)};
-    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-    argv.push_back(nullptr);
-    const pid_t child = fork();
-    if (child == 0) {
-        ::signal(SIGINT, SIG_DFL);  // whoever runs tests in the background may ignore it
-        dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
-        dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
-        execv(GNOMON_PROGRAM, argv.data());
-        _exit(127);
-    }
-    int status = 0;
-    while (read_file(out).find("device") == std::string::npos && waitpid(child, &status, WNOHANG) == 0)
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // it builds kernels, or renders
-    kill(child, signal);
-    waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 }  // namespace
@@ -111,17 +80,24 @@ TEST_CASE("stop: a temporary folder is removed with the files in it", "[stop]") 
     CHECK(folder.count() == 1);
 }
 
-TEST_CASE("interrupt: the program exits with 128 + the signal's number and leaves no file", "[stop][cli]") {
+TEST_CASE("interrupt: a picture under way is given up with 128 + the signal's number, and leaves no file",
+          "[stop][cli]") {
+    // It builds kernels then, or renders.
+    const Moment rendering = [](pid_t, const std::string& out) {
+        if (!contains(out, "device")) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        return true;
+    };
     for (const int signal : {SIGINT, SIGTERM}) {
-        const TempFolder folder, said;
-        const std::string scene = folder / "scene.json", out = said / "out", err = said / "err";
+        const TempFolder folder;
+        const std::string scene = folder / "scene.json";
         write_file(scene, to_json(lit_by(1500, 100, {2000, 1500})).dump());  // half a minute at least
-        const int code = interrupt({"render", scene, "-o", folder / "picture.png", "-o", folder / "picture.exr",
-                                    "--stats", folder / "stats.json"},
-                                   signal, out, err);
-        INFO(read_file(err));
-        CHECK(code == 128 + signal);
-        CHECK(contains(read_file(err), "gnomon: interrupted"));
+        const Interrupted run = interrupt({"render", scene, "-o", folder / "picture.png", "-o", folder / "picture.exr",
+                                           "--stats", folder / "stats.json"},
+                                          signal, rendering);
+        INFO(run.err);
+        CHECK(run.code == 128 + signal);
+        CHECK(contains(run.err, "gnomon: interrupted"));
         CHECK(folder.count() == 1);
     }
 }
