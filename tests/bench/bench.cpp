@@ -92,6 +92,7 @@ class Bench {
         report_ = bench::circumstances(device, options_.measure.threads, peer_);
         report_["runs"] = options_.measure.runs;
         report_["limit_seconds"] = options_.measure.limit;
+        report_["longest_launch_bound_seconds"] = options_.measure.options.longest_launch;
         report_["scenes"] = Json::array();
         fmt::print("{}, {}, {} cores; device {} {} ({}, {}); peer: {}\n", bench::date(), bench::cpu_name(),
                    options_.measure.threads, device.number(), device.name, device.platform_name, device.driver, peer_);
@@ -116,7 +117,7 @@ class Bench {
         times.about = about;
         times.load_seconds = load;
         if (name == "benign") benign_ = times;
-        bench::print_scene(times, benign_ ? &*benign_ : nullptr, peer_, options_.measure.limit);
+        bench::print_scene(times, benign_ ? &*benign_ : nullptr, peer_, options_.measure);
         report_["scenes"].push_back(bench::to_json(times));
         if (benign_) {
             Json& entry = report_["scenes"].back();

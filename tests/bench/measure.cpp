@@ -40,8 +40,8 @@ class Race {
     /// Renders once unmeasured, chooses the peer's mode, then times; returns what both needed.
     void run() {
         result.image = scene_.image;
-        result.own.stats = renderer_.render(scene_, how_.options, film_);
-        const double own_seconds = timed([&] { renderer_.render(scene_, how_.options, film_); });
+        render();
+        const double own_seconds = timed([&] { render(); });
         const double seconds = own_seconds + (peer_ ? choose_mode() : 0);
         const int runs = std::clamp(static_cast<int>(how_.limit / seconds), 1, how_.runs);
         result.own.kernels.resize(result.own.stats.kernels.size());
@@ -82,9 +82,15 @@ class Race {
         return whole ? seconds : std::numeric_limits<double>::infinity();
     }
 
+    void render() {
+        OwnTimes& own = result.own;
+        own.stats = renderer_.render(scene_, how_.options, film_);
+        own.longest_launch = std::max(own.longest_launch, own.stats.longest_launch);
+    }
+
     void time_own() {
         OwnTimes& own = result.own;
-        own.frame.seconds.push_back(timed([&] { own.stats = renderer_.render(scene_, how_.options, film_); }));
+        own.frame.seconds.push_back(timed([&] { render(); }));
         own.prepare.seconds.push_back(own.stats.prepare_seconds);
         own.trace.seconds.push_back(own.stats.trace_seconds);
         for (size_t k = 0; k < own.kernels.size(); ++k) own.kernels[k].seconds.push_back(own.stats.kernels[k].seconds);

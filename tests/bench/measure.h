@@ -32,6 +32,7 @@ struct Measure {
 struct OwnTimes {
     gnomon::RenderStats stats;  ///< of the last
     Series frame, prepare, trace;
+    double longest_launch = 0;  ///< seconds on the device, of all frames, the first too
     std::vector<Series> kernels;
     gnomon::Check check;
 };

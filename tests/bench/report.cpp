@@ -31,6 +31,7 @@ Json kernels(const OwnTimes& own) {
         json.push_back({{"kernel", kernel.kernel},
                         {"options", kernel.options},
                         {"launches", kernel.launches},
+                        {"longest_launch_seconds", kernel.longest},
                         {"rays", kernel.rays},
                         {"seconds", to_json(own.kernels[k])}});
     }
@@ -53,6 +54,7 @@ Json to_json(const OwnTimes& own) {
             {"frame_seconds", to_json(own.frame)},
             {"prepare_seconds", to_json(own.prepare)},
             {"trace_seconds", to_json(own.trace)},
+            {"longest_launch_seconds", own.longest_launch},
             {"kernels", kernels(own)},
             {"error", to_json(own.check)}};
 }

@@ -63,16 +63,18 @@ void print_head() {
          "otherwise");
 }
 
-void print_scene(const SceneTimes& times, const SceneTimes* benign, const std::string& peer, double limit) {
+void print_scene(const SceneTimes& times, const SceneTimes* benign, const std::string& peer, const Measure& how) {
     const OwnTimes& own = times.own;
     line(times.name, "gnomon", milliseconds(own.frame), fmt::format("{:.2f}", 1e3 * own.prepare.median()),
          fmt::format("{:.2f}", 1e3 * own.trace.median()), "1",
          benign ? share(own.frame.median(), benign->own.frame.median()) : "", error(own.check), "");
-    if (times.peer) print_peer(times, benign, peer, limit);
+    if (times.peer) print_peer(times, benign, peer, how.limit);
     fmt::print("  {}: {} spheres, {} lights, {}x{}, {} frames, {:.1f} Mrays/s, {}, {} lanes, tiles of {} rays\n",
                times.about, own.stats.spheres, own.stats.lights, times.image.width, times.image.height,
                own.frame.seconds.size(), 1e-6 * static_cast<double>(own.stats.rays) / own.frame.median(),
                to_string(own.stats.accuracy), own.stats.lanes, own.stats.tile_rays);
+    fmt::print("  longest launch {:.2f} ms of the {:.0f} that one may take\n", 1e3 * own.longest_launch,
+               1e3 * how.options.longest_launch);
     if (times.load_seconds) fmt::print("  loaded in {:.3f} s\n", *times.load_seconds);
     print_kernels(own);
     std::fflush(stdout);

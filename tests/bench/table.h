@@ -11,9 +11,9 @@ namespace bench {
 /// Explains the columns.
 void print_head();
 
-/// gnomon's line, the peer's, and one for each kernel. `benign` has as many spheres and is no adversary; it may be
-/// null.
-void print_scene(const SceneTimes& times, const SceneTimes* benign, const std::string& peer, double limit);
+/// gnomon's line, the peer's, and one for each kernel; `how` they were measured. `benign` has as many spheres and is no
+/// adversary; it may be null.
+void print_scene(const SceneTimes& times, const SceneTimes* benign, const std::string& peer, const Measure& how);
 
 void print_process(const ProcessTimes& times);
 
