@@ -88,7 +88,7 @@ RenderStats DeviceRenderer::render(const Job& job, TileQueue& queue, Film& film)
     const std::vector<cl::Kernel> kernels = build(job, stats);
     if (const int most = group_limit(job.plan); most < job.plan.local_size) {
         const Plan plan = in_smaller_groups(job, most);
-        return render({job.scene, job.survey, job.frame, plan, job.options}, queue, film);
+        return render({job.scene, job.survey, job.frame, plan, job.options, job.deal_all}, queue, film);
     }
     stats.build_seconds = now() - start;
     make_room(job.plan);
@@ -183,7 +183,7 @@ void DeviceRenderer::run(const Job& job, const std::vector<cl::Kernel>& kernels,
     Scheduler scheduler(workers_, memory_, job.plan, buffers, tiles_.get(memory_, job.plan), kernels,
                         job.plan.workers > 1 ? core_pace_ : pace_, job.options.stop, film);
     if (chunks) scheduler.take_spheres_from(*chunks);
-    const Measured run = scheduler.run(queue, ready, job.options.progress);
+    const Measured run = scheduler.run(queue, ready, job.options.progress, job.deal_all);
     add(job.plan, run, stats);
     double prepared_at = asked_at;
     for (const cl::Event& end : ready) prepared_at = std::max(prepared_at, asked_at + seconds_since_asked(end));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "buffers.h"
+#include "dealer.h"
 #include "launcher.h"
 #include "program.h"
 #include "scheduler.h"
@@ -19,6 +20,7 @@ struct Job {
     const Frame& frame;
     const Plan& plan;
     const RenderOptions& options;
+    DealAll deal_all = deal;  ///< runs the workers of a plan that deals tiles
 };
 
 /// What is known before the first launch.

@@ -4,8 +4,6 @@
 #include <numeric>
 #include <utility>
 
-#include "dealer.h"
-
 namespace gnomon {
 
 namespace {
@@ -62,7 +60,7 @@ Scheduler::Scheduler(const Workers& workers, const DeviceMemory& memory, const P
 }
 
 Measured Scheduler::run(TileQueue& tiles, const std::vector<cl::Event>& after,
-                        const std::function<void(double)>& progress) {
+                        const std::function<void(double)>& progress, const DealAll& deal_all) {
     tiles_ = &tiles;
     std::vector<int> hits(static_cast<size_t>(groups_));
     std::vector<uint32_t> undecided;
@@ -81,7 +79,7 @@ Measured Scheduler::run(TileQueue& tiles, const std::vector<cl::Event>& after,
     queue_.flush();  // or other queues might wait for it forever (OpenCL 1.2, 5.13)
     for (Slot& slot : slots_) slot.busy = ready;
     if (deals_tiles(plan_))
-        deal_to_cores(progress);
+        deal_all(deal_to_cores(progress));
     else
         run_ahead(progress);
     queue_.enqueueReadBuffer(hit_counts_, CL_FALSE, 0, hits.size() * sizeof(int), hits.data());
@@ -109,14 +107,14 @@ void Scheduler::run_ahead(const std::function<void(double)>& progress) {
 }
 
 /// Each core works on a tile of its own, and takes the next one itself.
-void Scheduler::deal_to_cores(const std::function<void(double)>& progress) {
+Deal Scheduler::deal_to_cores(const std::function<void(double)>& progress) {
     Deal turns{workers_.size(), {}, {}, progress};
     turns.launch = [this](size_t worker) { return launch_turn(worker); };
     turns.ended = [this](size_t worker) {
         launches_[worker].measure_all();
         return share_;
     };
-    deal(turns);
+    return turns;
 }
 
 /// What is taken too early another device cannot take.

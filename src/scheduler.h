@@ -8,6 +8,7 @@
 
 #include "binder.h"
 #include "chunked_spheres.h"
+#include "dealer.h"
 #include "film.h"
 #include "launcher.h"
 #include "plan.h"
@@ -42,8 +43,10 @@ class Scheduler {
     /// Where the spheres are if the plan cuts the scene.
     void take_spheres_from(ChunkedSpheres& chunks) { chunks_ = &chunks; }
 
-    /// Launches everything that the queue hands out, after these events, and waits for it.
-    Measured run(TileQueue& tiles, const std::vector<cl::Event>& after, const std::function<void(double)>& progress);
+    /// Launches everything that the queue hands out, after these events, and waits for it. If the plan deals tiles,
+    /// `deal_all` is called once, when all is ready for the first.
+    Measured run(TileQueue& tiles, const std::vector<cl::Event>& after, const std::function<void(double)>& progress,
+                 const DealAll& deal_all);
 
   private:
     /// A tile under way: the queue of its worker, its buffers, the events after which they are free, and what is to be
@@ -58,7 +61,7 @@ class Scheduler {
     };
 
     void run_ahead(const std::function<void(double)>& progress);
-    void deal_to_cores(const std::function<void(double)>& progress);
+    Deal deal_to_cores(const std::function<void(double)>& progress);
     bool take_tile(Slot& slot);
     void await_room();
     cl::Event launch_turn(size_t worker);

@@ -1,6 +1,7 @@
 // Devices that render one picture together.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -26,6 +27,14 @@ class Team {
                        const RenderOptions& options, Film& film);
 
   private:
+    using MakeJob = std::function<Job(size_t member, const RenderOptions& options)>;
+
+    std::vector<RenderStats> render_in_turn(const MakeJob& make_job, const RenderOptions& options, TileQueue& queue,
+                                            Film& film);
+    void deal_to_all(const std::vector<Deal>& deals) const;
+    std::vector<RenderStats> render_at_once(const MakeJob& make_job, const RenderOptions& options, TileQueue& queue,
+                                            Film& film);
+
     std::vector<std::unique_ptr<DeviceRenderer>> members_;
 };
 
