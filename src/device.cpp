@@ -7,6 +7,9 @@
 #include <cctype>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
+#include <mutex>
+#include <utility>
 
 #include "error.h"
 #include "opencl.h"
@@ -195,11 +198,7 @@ namespace {
 /// The equal parts of a device; all of it, if there is one.
 std::vector<cl::Device> parts_of(const cl::Device& device, int parts) {
     if (parts == 0) return {device};
-    const auto units = static_cast<cl_device_partition_property>(device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>());
-    const cl_device_partition_property equally[] = {CL_DEVICE_PARTITION_EQUALLY, units / parts, 0};
-    std::vector<cl::Device> result;
-    cl::Device(device).createSubDevices(equally, &result);
-    return result;
+    return equal_parts(device, static_cast<int>(device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>()) / parts);
 }
 
 cl::Device open_whole(const DeviceInfo& info) {
@@ -261,6 +260,19 @@ std::vector<DeviceInfo> choose_devices(const std::vector<DeviceInfo>& devices,
         }
     }
     return chosen;
+}
+
+// They are kept until the process ends: PoCL's threads may give the last event back, and look at the part that it was
+// of, when whoever waited for it has already let go of queue, context and part, of which a context retains the whole
+// device alone (PoCL 3.1, clCreateContext.c, clReleaseEvent.c).
+std::vector<cl::Device> equal_parts(const cl::Device& device, int units) {
+    static std::mutex mutex;
+    static auto& made = *new std::map<std::pair<cl_device_id, int>, std::vector<cl::Device>>;  // never destroyed
+    const std::lock_guard<std::mutex> lock(mutex);
+    std::vector<cl::Device>& parts = made[{device(), units}];
+    const cl_device_partition_property equally[] = {CL_DEVICE_PARTITION_EQUALLY, units, 0};
+    if (parts.empty()) cl::Device(device).createSubDevices(equally, &parts);
+    return parts;
 }
 
 cl::Device open_device(const DeviceInfo& info) {

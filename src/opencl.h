@@ -7,6 +7,7 @@
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/opencl.hpp>
 #include <string>
+#include <vector>
 
 #include "device.h"
 
@@ -14,6 +15,9 @@ namespace gnomon {
 
 /// The driver's handle for a listed device.
 cl::Device open_device(const DeviceInfo& info);
+
+/// The equal parts of a device, of so many compute units each, in order. Each is made once.
+std::vector<cl::Device> equal_parts(const cl::Device& device, int units);
 
 /// "clBuildProgram failed: CL_OUT_OF_RESOURCES (-5)"
 std::string describe(const cl::Error& error);

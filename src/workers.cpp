@@ -8,11 +8,10 @@ namespace {
 
 /// The device and, if it can be split, its cores.
 std::vector<cl::Device> open(const DeviceInfo& info) {
-    cl::Device whole = open_device(info);
-    std::vector<cl::Device> devices{whole}, cores;
+    const cl::Device whole = open_device(info);
+    std::vector<cl::Device> devices{whole};
     if (info.sub_devices == 0) return devices;
-    const cl_device_partition_property one_unit_each[] = {CL_DEVICE_PARTITION_EQUALLY, 1, 0};
-    whole.createSubDevices(one_unit_each, &cores);
+    const std::vector<cl::Device> cores = equal_parts(whole, 1);
     devices.insert(devices.end(), cores.begin(), cores.end());
     return devices;
 }
