@@ -60,9 +60,9 @@ static inline realw compensated_root(PencilSphere s, SphereRests rests, vec3w di
     const Twofold sum = two_sum_w(b.hi, ahead ? root : -root);
     const realw low = root > 0.0f ? rest : wide(0.0f);
     const Twofold q = fast_two_sum_w(sum.hi, sum.lo + (b.lo + (ahead ? low : -low)));
-    const realw power = wide(s.power), other = divide(power, q.hi);
+    const realw power = wide(s.power), inverse = divide(wide(1.0f), q.hi), other = power * inverse;
     const realw residual = fma(-other, q.hi, power) + fma(-other, q.lo, rests.power);
-    return ((power > 0.0f) | !ahead) ? other + divide(residual, q.hi) : q.hi;
+    return choose((power > 0.0f) | !ahead, fma(residual, inverse, other), q.hi);
 }
 
 #endif

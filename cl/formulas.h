@@ -59,12 +59,17 @@ static inline Root intersect_pencil(RootSphere s, vec3w dir) {
     const realw b = dot_r(s.center, dir), discriminant = sphere_discriminant(sphere, dir, b);
     const real edge = grazing_edge(sphere);
     const wholew meets = may_meet(sphere, b, discriminant, edge), grazes = meets & is_grazing(discriminant, edge);
-    const realw t = sphere_root(sphere, b, discriminant);
-    if (!any_lane(grazes)) return with_normal(s, dir, (meets & (t > 0.0f)) ? t : wide(INFINITY));
-    realw exact;
-    const realw compensated = compensated_root(sphere, rests_of(sphere), dir, &exact);
-    const wholew hits = grazes ? (exact >= 0.0f) & (compensated > 0.0f) : meets & (t > 0.0f);
-    return with_normal(s, dir, hits ? (grazes ? compensated : t) : wide(INFINITY));
+    realw t = wide(INFINITY);
+    if (any_lane(meets & !grazes)) {
+        const realw root = sphere_root(sphere, b, discriminant);
+        t = choose(meets & !grazes & (root > 0.0f), root, t);
+    }
+    if (any_lane(grazes)) {
+        realw exact;
+        const realw root = compensated_root(sphere, rests_of(sphere), dir, &exact);
+        t = choose(grazes & (exact >= 0.0f) & (root > 0.0f), root, t);
+    }
+    return with_normal(s, dir, t);
 }
 
 // The perpendicular formula with a, b, C, the vector across and the discriminant to twice float's precision

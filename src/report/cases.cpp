@@ -93,9 +93,15 @@ std::vector<Recipe> recipes() {
             {"surface", "from 10^-6 to 10^-1 radii outside and inside the surface", at_the_surface, from_the_surface}};
 }
 
+/// In order of impact: neighbours in a block are neighbours in a picture too, and only few of them graze where others
+/// do not.
 void add_block(RootCase& to, const RootSphere& sphere, Draws& draws, const Recipe& recipe) {
+    std::vector<Vec3> dirs;
+    for (int i = 0; i < BLOCK_RAYS; ++i) dirs.push_back(recipe.dir(sphere, draws));
+    const Vec3 center = center_of(sphere);
+    std::sort(dirs.begin(), dirs.end(), [&](const Vec3& a, const Vec3& b) { return dot(a, center) > dot(b, center); });
     to.spheres.push_back(sphere);
-    for (int i = 0; i < BLOCK_RAYS; ++i) to.dirs.push_back(rounded(recipe.dir(sphere, draws)));
+    for (const Vec3& dir : dirs) to.dirs.push_back(rounded(dir));
 }
 
 }  // namespace
