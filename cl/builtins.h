@@ -86,6 +86,7 @@ int PURE all(int8);
 int PURE any(int4);
 uint WRITES atomic_or(volatile global uint*, uint);
 int WRITES atomic_or(volatile global int*, int);
+int WRITES atomic_max(volatile global int*, int);
 uint WRITES atomic_add(volatile global uint*, uint);
 int WRITES atomic_add(volatile global int*, int);
 uint WRITES atomic_add(volatile local uint*, uint);

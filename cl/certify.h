@@ -1,8 +1,8 @@
 // What rounding may decide, in the kernels that are built with -D CERTIFIED=1: for each decision a bound of its error,
 // derived in docs/accuracy.md. What a bound does not settle is left undecided, to be computed again.
 //
-// Bounds are one number for a sphere, or for a sphere and a work-item: rays only compare with them. That leaves more
-// undecided than a bound for each ray would, but a thousandth of the rays computed again costs less than that.
+// Most bounds are one number for a sphere and a work-item: rays only compare with them. What they settle, a ray's own
+// bound would settle too, and what they leave is held against that, so that nothing depends on LANES.
 //
 // u = 2^-24. `base` is how far the scene's own numbers may be off, in the frame's unit (pairs of floats hold 48 bits);
 // 4 base covers what a sphere and an apex have of it together. All bounds are written so that NaN settles nothing.
@@ -22,9 +22,9 @@
 #define STEEPEST 0x1p12
 #else
 #define ROUNDING 0x1p-24f
-#define POWER_ROUNDING 0x1p-42f
+#define POWER_ROUNDING 0x1p-43f
 #define EYE_TURN (5 * ROUNDING)
-#define STEEPEST 0x1p7f
+#define STEEPEST 0x1p9f
 #endif
 
 // t is off by less than this, in parts of itself, wherever anything is said of it.
@@ -34,31 +34,50 @@
 typedef struct {
     real shift;         // of its centre across and along a ray, and of b = f . dir
     real discriminant;  // of D, wherever D is near 0 or above
+    real power;         // of C, beside 4 u of itself
     real radius, distance;
 } Doubt;
 
 // At least |f|, and no more than sqrt(3) times as much.
 static inline real distance_of(PencilSphere s) { return fabs(s.center.x) + fabs(s.center.y) + fabs(s.center.z); }
 
-// Where D is in doubt it is off by this times the shift, and by roundings.
-static inline real discriminant_slope(PencilSphere s, real radius, real shift) {
-    return (is_apart(s) ? 2 : 3) * radius + 3 * shift;
+// At least r: of floats, which have no root at hand, more by 2^-17 |f|.
+static inline real radius_of(PencilSphere s) {
+#if REAL_IS_DOUBLE
+    return root_of(s.r2);
+#else
+    return s.reach;
+#endif
 }
 
-// `turn` is how far a ray may be turned (radians), `base` how far the centre is off before it was rounded.
-static inline Doubt doubt_of(PencilSphere s, real turn, real base) {
-    const real distance = distance_of(s), radius = root_of(s.r2);
-    const real shift = distance * (turn + 12 * ROUNDING) + 4 * base;
-    return (Doubt){shift, discriminant_slope(s, radius, shift) * shift + 12 * ROUNDING * s.r2, radius, distance};
+// Where D is in doubt it is off by this times the shift, and by the rest of a sphere's own roundings.
+typedef struct {
+    real slope;  // but for 4 times the shift
+    real rest;
+} DiscriminantDoubt;
+
+static inline DiscriminantDoubt discriminant_doubt(PencilSphere s, real radius, real power_off) {
+    if (is_apart(s)) return (DiscriminantDoubt){2 * radius, 12 * ROUNDING * s.r2};
+    const real power = fabs(s.power);
+    return (DiscriminantDoubt){2 * root_of(power), fma(12 * ROUNDING, power, 2 * power_off)};
 }
 
 // What C is off by beside 4 u of itself.
-static inline real power_doubt(PencilSphere s, Doubt doubt, real base) {
-    return 16 * base * (doubt.distance + doubt.radius) + POWER_ROUNDING * (doubt.distance * doubt.distance + s.r2);
+static inline real power_doubt(PencilSphere s, real distance, real radius, real base) {
+    return 16 * base * (distance + radius) + POWER_ROUNDING * (distance * distance + s.r2);
 }
 // Whether the apex is surely outside the sphere, or surely inside.
 static inline int surely_outside(PencilSphere s, real power_off) { return s.power > 2 * power_off; }
 static inline int surely_inside(PencilSphere s, real power_off) { return -s.power > 2 * power_off; }
+
+// Seen from the eye, whose place is off by `base`.
+static inline Doubt doubt_of(PencilSphere s, real base) {
+    const real distance = distance_of(s), radius = radius_of(s);
+    const real shift = fma(EYE_TURN + 12 * ROUNDING, distance, 4 * base);
+    const real power = power_doubt(s, distance, radius, base);
+    const DiscriminantDoubt of = discriminant_doubt(s, radius, power);
+    return (Doubt){shift, fma(fma((real)4, shift, of.slope), shift, of.rest), power, radius, distance};
+}
 
 // What may be said of a sphere's roots. With x = r / sqrt(D), 1 / the cosine between ray and normal, t is off by no
 // more than steep (1 + x) t.
@@ -70,24 +89,39 @@ typedef struct {
 
 // Floats take no sphere for plain that is steeper than most are: the numbers of a hit's own sphere need not be kept.
 #if !REAL_IS_DOUBLE
-#define STEEP_SMALL (64 * ROUNDING)
-#define STEEP_LARGE (138 * ROUNDING)
+#define MOST_STEEP (40 * ROUNDING)
 #endif
 
-// `off` is the power's doubt.
-static inline RootDoubt root_doubt(PencilSphere s, Doubt doubt, real off) {
-    const int outside = surely_outside(s, off);
-    const int small = looks_small(s);
-    const real steep = (small ? 58 : 98) * ROUNDING + quotient_of(5 * off, fabs(s.power));
+static inline RootDoubt root_doubt(PencilSphere s, Doubt doubt) {
+    const int outside = surely_outside(s, doubt.power);
+    const real steep = 25 * ROUNDING + EYE_TURN + quotient_of(3 * doubt.power, fabs(s.power));
     const real least = MORE((real)(1 / STEEPEST), steep * (2 / MOST_OFF));
-    const real farthest = outside ? doubt.distance : doubt.distance + doubt.radius;
+    const real inside = doubt.distance + doubt.radius;
+    const real farthest = is_apart(s) ? doubt.distance : outside ? root_of(s.power) : inside;
 #if REAL_IS_DOUBLE
     const int known = least <= 1;
 #else
-    const int known = least <= 1 && steep <= (small ? STEEP_SMALL : STEEP_LARGE);
+    const int known = least <= 1 && steep <= MOST_STEEP;
 #endif
     const real plain = known ? MORE(least * least * s.r2, 10 * steep * farthest * doubt.radius) : INFINITY;
-    return (RootDoubt){steep, plain, outside && known ? 1.5f * root_of(plain) : INFINITY};
+    return (RootDoubt){steep, plain, outside && known ? fma((real)1.5f, root_of(plain), doubt.shift) : INFINITY};
+}
+
+// At least 1 / x, and no more than 9/8 of it, for x > 0 that is no smaller than 2^-126. With x = 2^e (1 + m), the
+// difference of the bits is 2^(-e - 1) (2 - m), and (1 + m) (2 - m) / 2 lies between 1 and 9/8.
+static inline realw reciprocal_bound(realw x) {
+#if REAL_IS_DOUBLE
+    return divide(wide(1.0f), x);
+#else
+    return as_floatw(0x7f000000 - as_intw(x));
+#endif
+}
+
+// How far the position of a plain meeting may be off: by t's doubt along the ray and, the ray's turn and two roundings,
+// by 8 u t across it; 12 u t more is what a light's pencil rounds (parallel_pencil.h).
+static inline realw position_doubt(realw t, vec3w dir, vec3w normal, real steep, real base) {
+    const realw x = reciprocal_bound(fabs(dot_w(dir, normal)));
+    return fma(t, fma(wide(1.3f * steep), x, wide(steep + 20 * ROUNDING)), wide(base));
 }
 
 // The undecided rays of a picture: a bit each, 32 rays a word, those of a tile from first_word on.
@@ -100,6 +134,29 @@ typedef struct {
 static inline ulong bits_of_packet(wholew which, int k) {
     return (ulong)(uint)lane_bits(ints_of(which)) << (k * LANES);
 }
+
+#if CERTIFIED
+// What lights must know of hits that are not undecided, of DOUBT_RAYS neighbouring rays together (those of a block, or
+// each ray alone, so that it does not depend on LANES): how far the position of any may be off, and the most curved
+// sphere, 1 / radius, as far as the normal tells. Where they are several work-items', both are 0 before.
+static inline int doubts_place(int first_word, int item) {
+    return 2 * (int)(((ulong)first_word * 32 + (ulong)item * (LANES * PACKETS)) / DOUBT_RAYS);
+}
+#if REAL_IS_DOUBLE
+#define MOST_OF(v) (v)  // each ray alone
+#else
+#define MOST_OF(v) REDUCE(most, v)
+#endif
+static inline void keep_doubts(realw position, realw curvature, global real* doubts, int place) {
+#if LANES * PACKETS >= DOUBT_RAYS
+    doubts[place] = MOST_OF(position);
+    doubts[place + 1] = MOST_OF(curvature);
+#else
+    atomic_max((global int*)(doubts + place), as_int(MOST_OF(position)));  // floats >= 0 are ordered as their bits
+    atomic_max((global int*)(doubts + place + 1), as_int(MOST_OF(curvature)));
+#endif
+}
+#endif
 
 static inline void leave_undecided(ulong rays, Undecided undecided, int item) {
     if (!rays) return;

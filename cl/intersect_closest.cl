@@ -5,9 +5,9 @@
 // outward unit normal and the id (a miss: +inf, (inf, inf, inf), -1); adds to hit_counts[first_group + g] how many more
 // rays of work-group g hit. Where the spheres come in chunks (-D CHUNKS=1) and this is not the first of them, what was
 // written for those before is read, and stays where nothing is closer. With -D CERTIFIED=1 it also sets the bits of the
-// rays of which rounding may decide what they hit in undecided (one a ray, from word first_word on), and writes doubts,
-// 2 a work-item with hits: how far the position, and the normal, of any other of its hits may be off. One work-item:
-// PACKETS * LANES neighbouring rays of a block against the spheres that their fat ray may meet.
+// rays of which rounding may decide what they hit in undecided (one a ray, from word first_word on), and keeps in
+// doubts what is to be known of all others' hits (certify.h). One work-item: PACKETS * LANES neighbouring rays of a
+// block against the spheres that their fat ray may meet.
 #include "certify.h"
 #include "eye_pencil.h"
 #include "fat_ray.h"
@@ -61,9 +61,8 @@ __attribute__((always_inline)) static inline int next_candidates(Hierarchy hiera
 
 // As below, but only what bounds settle is a hit; of all else is kept where it may begin.
 static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Bounds* bounds) {
-    const Doubt doubt = doubt_of(s, EYE_TURN, base);
-    const real power_off = power_doubt(s, doubt, base);
-    const real behind = surely_outside(s, power_off) ? -doubt.shift : -INFINITY;
+    const Doubt doubt = doubt_of(s, base);
+    const real behind = surely_outside(s, doubt.power) ? -doubt.shift : -INFINITY;
     realw b[PACKETS], discriminant[PACKETS];
     wholew near[PACKETS], any = 0;
     FOR_PACKETS(k) {
@@ -73,7 +72,7 @@ static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hi
         any |= near[k];
     }
     if (!any_lane(any)) return 0;
-    const RootDoubt off = root_doubt(s, doubt, power_off);
+    const RootDoubt off = root_doubt(s, doubt);
 #if REAL_IS_DOUBLE
     bounds->steep = off.plain < INFINITY ? MORE(bounds->steep, off.steep) : bounds->steep;  // else it is nobody's hit
 #endif
@@ -83,7 +82,7 @@ static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hi
         const wholew plain = near[k] & (discriminant[k] > off.plain), closer = plain & (t < hit[k].t);
         const realw loser = kept * choose(closer, hit[k].t, choose(plain, t, wide(INFINITY)));
         const realw other = choose(near[k] & !plain, b[k] - off.back, loser);
-        bounds->other[k] = LESS(bounds->other[k], other);
+        bounds->other[k] = choose(other < bounds->other[k], other, bounds->other[k]);
         hit[k].t = choose(closer, t, hit[k].t);
         hit[k].id = choose(closer, (wholew)(s.id), hit[k].id);
         hit[k].center = select_w(closer, broadcast(s.center), hit[k].center);
@@ -186,26 +185,10 @@ static inline vec3w outward_normal(Hit hit, vec3w dir, realw* inverse) {
 }
 
 #if CERTIFIED
-// That of the sphere that is hit: in floats the most that it can be, of all that look small, or large, to within
-// roundings, as it does here.
-static inline realw steepness(Hit hit, const Bounds* bounds, realw inverse) {
-#if REAL_IS_DOUBLE
-    return wide(bounds->steep);
-#else
-    return dot_w(hit.center, hit.center) * inverse * inverse > 2.125f ? wide(STEEP_SMALL) : wide(STEEP_LARGE);
-#endif
-}
-
-// How far the position of a hit may be off; infinitely where its ray is undecided. By t's doubt along the ray and, the
-// ray's turn and two roundings, by 8 u t across it; 12 u t more is what a light's pencil rounds (parallel_pencil.h).
-static inline realw position_doubt(Hit hit, const Bounds* bounds, int k, vec3w dir, vec3w normal, realw inverse,
-                                   real base) {
-    const wholew hits = hit.id >= 0;
-    const realw cosine = fabs(dot_w(dir, normal));
-    const realw off = hit.t * steepness(hit, bounds, inverse) * fma(wide(1.3f), divide(wide(1.0f), cosine), wide(1.0f));
-    const wholew sure = hits ? bounds->other[k] > hit.t + off : bounds->other[k] == INFINITY;
-    const realw position = hits ? fma(wide(20 * ROUNDING), hit.t, off + base) : wide(0.0f);
-    return sure ? position : wide(INFINITY);
+// Whether it is certain what the ray meets, if that may be off by so much: whatever else there is begins beyond. A miss
+// must have met nothing at all. What is added to t's own doubt (position_doubt) is nothing beside it.
+static inline wholew is_certain(wholew hits, Hit hit, realw other, realw off) {
+    return other > choose(hits, hit.t + off, wide(MAXFLOAT));
 }
 #endif
 
@@ -214,8 +197,8 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
                               const int levels, const int last, const int first_chunk, const int items,
                               global real* restrict ts, global real* restrict normals, global int* restrict ids,
                               const int first_group, global int* restrict hit_counts, const real base,
-                              global real* restrict doubts, global float* restrict curvatures,
-                              global uint* restrict undecided, const int first_word, const int first_item) {
+                              global real* restrict doubts, global uint* restrict undecided, const int first_word,
+                              const int first_item) {
     const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
     const Hierarchy hierarchy = {clusters, nodes, levels, last};
@@ -225,7 +208,7 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
 #if REAL_IS_DOUBLE
     bounds.steep = 0;
 #else
-    bounds.steep = STEEP_LARGE;
+    bounds.steep = MOST_STEEP;
 #endif
 
     wholew valid[PACKETS];
@@ -277,17 +260,19 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
     wholew hits = 0;
 #if CERTIFIED
     ulong open = 0;
-    floatw curved = wide_float(0.0f);
+    realw farthest_off = wide(0.0f), most_curved = wide(0.0f);
 #endif
     FOR_PACKETS(k) {
         store_r(hit[k].t, ts, item, k);
         realw inverse;
         vec3w normal = outward_normal(hit[k], dir[k], &inverse);
 #if CERTIFIED
-        const realw off = position_doubt(hit[k], &bounds, k, dir[k], normal, inverse, base);
-        store_r(off, doubts, item, k);
-        open |= bits_of_packet(valid[k] & (off == INFINITY), k);
-        curved = MORE(curved, floats_of(hit[k].id >= 0 ? inverse : wide(0.0f)));
+        const wholew hit_any = hit[k].id >= 0;
+        const realw off = position_doubt(hit[k].t, dir[k], normal, bounds.steep, base);
+        const wholew certain = is_certain(hit_any, hit[k], bounds.other[k], off);
+        open |= bits_of_packet(valid[k] & !certain, k);
+        farthest_off = MORE_WHERE(hit_any & certain, off, farthest_off);
+        most_curved = MORE_WHERE(hit_any & certain, inverse, most_curved);
 #endif
         hits += choose(hit[k].id >= 0, (wholew)(1), (wholew)(0));
 #if CHUNKS
@@ -301,7 +286,7 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
         store_i(hit[k].id, ids, item, k);
     }
 #if CERTIFIED
-    curvatures[item] = REDUCE(most, curved) * (1 + 0x1p-20f);
+    keep_doubts(farthest_off, most_curved, doubts, doubts_place(first_word, item));
     leave_undecided(open, (Undecided){undecided, first_word}, item);
 #endif
     atomic_add(hit_counts + first_group + group_of_all(first_item), REDUCE(count, ints_of(hits)));

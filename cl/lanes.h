@@ -131,12 +131,18 @@ static inline intw __attribute__((overloadable)) choose(intw mask, intw a, intw 
 #define LESS_WHERE(mask, a, b) choose(mask, choose((a) < (b), a, b), b)
 #define MORE_WHERE(mask, a, b) choose(mask, choose((a) > (b), a, b), b)
 
+#define ALL_LANES ((1 << LANES) - 1)
+static inline intw lanes_of_bits(int bits) { return ((intw)(bits) >> LANE_INDEX & 1) != 0; }
+
 // A condition that hardly ever holds.
 #if CLANG_TO_MACHINE
 #define UNLIKELY(condition) __builtin_expect((condition) != 0, 0)
 #else
 #define UNLIKELY(condition) (condition)
 #endif
+
+// One lane's value.
+#define LANE_OF(v, lane) (((const real*)&(v))[lane])
 
 // The position of the lowest bit set.
 static inline int lowest_bit(int mask) { return 31 - clz(mask & -mask); }

@@ -14,9 +14,6 @@ typedef ParallelPencil LightPencil;
 typedef struct {
     vec3w from;     // the receiver in the basis
     realw squared;  // its squared distance from the eye
-#if CERTIFIED
-    realw off;  // how far the receiver may be off
-#endif
 } ShadowRay;
 
 static inline ShadowRay shadow_ray(LightPencil light, vec3w position) {
@@ -58,60 +55,57 @@ static inline wholew may_occlude(PencilSphere s, ShadowRay ray) {
 
 #if CERTIFIED
 
-// How far the receivers of a work-item may be off at most.
-typedef struct {
-    real shift;
-} RayDoubt;
-
 // `position` is how far the receiver is off, with what it takes to bring it into the basis (intersect_closest): this is
 // turned by up to 2 u, and three dot products round by 3 u; together with the sphere's, 12 u |c| in edge_of, 12 u |p|.
-static inline realw ray_off(LightPencil light, ShadowRay ray, realw position, real base) { return position + base; }
-
-static inline real most_off(const ShadowRay* ray, const wholew* open) {
-    floatw most = wide_float(0.0f);
-    FOR_PACKETS(k) most = MORE(most, ints_of(open[k]) ? floats_of(ray[k].off) : wide_float(0.0f));
-    return REDUCE(most, most) * (1 + 0x1p-20f);  // doubles became floats
-}
-
-static inline RayDoubt ray_doubt(LightPencil light, const ShadowRay* ray, const wholew* open, real base) {
-    return (RayDoubt){most_off(ray, open)};
-}
-
-// Of a ray that is off by `off`, D is off by no more than `fixed` and `slope` times that.
 typedef struct {
-    real fixed, slope;
+    real shift;   // of the receiver
+    real facing;  // of n . l: the normal's doubt, l's turn and the dot product's 3 u
+    real base;
+} LightDoubt;
+
+static inline LightDoubt light_doubt(LightPencil light, real position, real normal, real base) {
+    return (LightDoubt){position + base, normal + 8 * ROUNDING, base};
+}
+
+// Of all rays of a group alike.
+typedef LightDoubt RayDoubt;
+static inline RayDoubt ray_doubt(LightDoubt doubt, const ShadowRay* ray, const wholew* open) { return doubt; }
+static inline RayDoubt own_ray_doubt(LightDoubt own, ShadowRay ray, int lane) { return own; }
+
+// How far D may be off.
+typedef struct {
+    real off;
 } Edge;
 
-static inline Edge edge_of(PencilSphere s, RayDoubt doubt, real base) {
-    const real own = fma(12 * ROUNDING, distance_of(s), base);
-    const real slope = fma((real)3, doubt.shift + own, 2 * root_of(s.r2));
-    return (Edge){fma(slope, own, 12 * ROUNDING * s.r2), slope};
+static inline Edge edge_of(PencilSphere s, LightDoubt doubt, RayDoubt most) {
+    const real shift = doubt.shift + fma(12 * ROUNDING, distance_of(s), doubt.base);
+    return (Edge){fma(fma((real)3, shift, 2 * radius_of(s)), shift, 12 * ROUNDING * s.r2)};
 }
 
-// Where the ray's line surely misses the sphere, which judge_occlusion then calls clear.
-static inline wholew surely_misses(PencilSphere s, ShadowRay ray, Edge edge) {
-    const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
-    const realw discriminant = fma(-x, x, fma(-y, y, wide(s.r2)));
-    return discriminant < -fma(ray.off, wide(edge.slope), wide(edge.fixed));
-}
+// D >= 0 says that the line meets the sphere, and D + ahead |ahead| >= 0, which is off by no more than twice as much,
+// that the farther root is ahead.
+typedef struct {
+    realw discriminant, farther;
+} Meeting;
 
-// Where the sphere surely occludes the ray, and where it surely does not: D >= 0 says that its line meets it, and D +
-// ahead |ahead| >= 0, which is off by no more than 3 times as much as D, that the farther root is ahead.
-static inline void judge_occlusion(PencilSphere s, ShadowRay ray, Edge edge, wholew* closes, wholew* clear) {
+static inline Meeting meeting(PencilSphere s, ShadowRay ray) {
     const realw ahead = wide(s.center.z) - ray.from.z;
     const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
     const realw discriminant = fma(-x, x, fma(-y, y, wide(s.r2)));
-    const realw farther = fma(ahead, fabs(ahead), discriminant);
-    const realw off = fma(ray.off, wide(edge.slope), wide(edge.fixed));
-    *closes = (discriminant > off) & (farther > 3 * off);
-    *clear = (discriminant < -off) | (farther < -3 * off);
+    return (Meeting){discriminant, fma(ahead, fabs(ahead), discriminant)};
 }
 
-// Where it is open whether the surface faces the light: n . l is off by the normal's doubt, l's turn and the dot
-// product's 3 u.
-static inline wholew may_face(LightPencil light, ShadowRay ray, vec3w position, vec3w normal, realw off, realw turned,
-                              real base) {
-    return !(fabs(dot_r(light.axis, normal)) > turned + 8 * ROUNDING);
+// Whether the sphere surely occludes the ray, and whether it surely does not.
+static inline wholew surely_met(Meeting at, Edge edge) {
+    return (at.discriminant > wide(edge.off)) & (at.farther > wide(2 * edge.off));
+}
+static inline wholew surely_clear(Meeting at, Edge edge) {
+    return (at.discriminant < wide(-edge.off)) | (at.farther < wide(-2 * edge.off));
+}
+
+// Where it is open whether the surface faces the light.
+static inline wholew may_face(LightPencil light, ShadowRay ray, vec3w position, vec3w normal, LightDoubt doubt) {
+    return !(fabs(dot_r(light.axis, normal)) > wide(doubt.facing));
 }
 
 #endif
@@ -172,10 +166,13 @@ static inline int shadow_node_candidates(FatShadowRay fat, global const Node* n)
 }
 
 #if CERTIFIED
-// Wide enough for rays that are as far off as `doubt` says.
+// So wide that what is passed over is clear of each ray by its own doubt: docs/accuracy.md, "What is passed over".
 static inline FatShadowRay widened(FatShadowRay fat, LightPencil light, int face, RayDoubt doubt) {
-    const float shift = (float)doubt.shift;
-    return (FatShadowRay){fat.x0 - shift, fat.x1 + shift, fat.y0 - shift, fat.y1 + shift, fat.back - shift};
+    const float shift = (float)doubt.shift, across = 2 * shift, along = 4 * shift;
+    return (FatShadowRay){fat.x0 - across, fat.x1 + across, fat.y0 - across, fat.y1 + across, fat.back - along};
+}
+static inline int certain_shadow_candidates(FatShadowRay fat, RayDoubt doubt, global const PencilCluster* c) {
+    return shadow_candidates(fat, c);
 }
 #endif
 

@@ -13,20 +13,21 @@
 //   13  planes: a normal is 4 roundings off, its dot product with f 3 more; rectangles: the coordinates p = f . u and
 //       z = f . axis are 3 each, p +- reach and z -+ reach 1 each, and the quotient 1, which is a coordinate's
 //
-// Together 37 < 64: reach = r + 2^-18 max(|f|, r) leaves room for the roundings of |f| and of reach itself. Spheres
-// with |f| < r hold the apex; seen from there nothing is farther than 2 r, and the same holds with r for |f|.
+// Together 37 < 128: reach = r + 2^-17 max(|f|, r) leaves room for the roundings of |f| and of reach itself, and for
+// certified pictures, in which what is passed over must be clear of a ray by more (docs/accuracy.md). Spheres with
+// |f| < r hold the apex; seen from there nothing is farther than 2 r, and the same holds with r for |f|.
 // In a parallel pencil occludes() accepts rays that pass at most 8 u max(|c|, r) outside, and the sums round once.
 //
 // All of this holds where reals are doubles too: exact tests then accept less, and bounds are floats as before, of
 // which some were rounded once more. These are, in the same units: the radius and the distance of which reach is made,
 // 1 each; the centre, 1; a ray's direction, 1; and the farthest t or distance (at most |f| + r) 2 or, in a parallel
 // pencil, a receiver's coordinates (where they decide no farther from 0 than |c| + r) 2. Together that is 6, and
-// 37 + 6 < 64.
+// 37 + 6 < 128.
 //
 // And on devices that do not round quotients and roots correctly, whose quotients are off by up to 2.5 ulp, 5 u, and
 // roots by 3 ulp, 6 u (OpenCL C 1.2, table 7.1). A ray's X has one quotient: 15 and not 11 of those units, 15 sqrt(2) <
 // 22 instead of 16. A plane's normal has a quotient and a root: 13 and not 4, with the dot product 16; a rectangle's
-// quotient is 5 and not 1: 17 and not 13. Together 8 + 22 + 17 = 47, in double 53 < 64. The distance of which reach is
+// quotient is 5 and not 1: 17 and not 13. Together 8 + 22 + 17 = 47, in double 53 < 128. The distance of which reach is
 // made is off by 6 u of itself, which is 2^-21 of what is added, and a node's depth by 6 u |f|, which alone is less.
 #ifndef GNOMON_REACH_H
 #define GNOMON_REACH_H
@@ -34,7 +35,7 @@
 #include "real.h"
 
 static inline float16 reach_of(float16 radius, float16 distance) {
-    return fma(distance > radius ? distance : radius, (float16)(0x1p-18f), radius);
+    return fma(distance > radius ? distance : radius, (float16)(0x1p-17f), radius);
 }
 
 #endif

@@ -87,8 +87,8 @@ kernel void shade_light(global const real* restrict dirs, global const real* res
                         const LightPencil light, const Real3 phi, const int first, const int items,
                         global real* radiance, const int last_light, const Tile tile, const Planes planes,
                         global int* plane0, global int* plane1, global int* plane2, const real base,
-                        global const real* restrict doubts, global const float* restrict curvatures,
-                        global uint* undecided, const int first_word, const int first_item) {
+                        global const real* restrict doubts, global uint* undecided, const int first_word,
+                        const int first_item) {
     const int item = first_item + (int)get_global_id(0);
     if (item < items) {
         const Hits hits = {dirs, ts, normals, ids};
@@ -97,18 +97,23 @@ kernel void shade_light(global const real* restrict dirs, global const real* res
         FOR_PACKETS(k) share[k] = load_r(arrival, item, k);
 #else
         ShadowRay ray[PACKETS];
-        FOR_PACKETS(k) {
-            ray[k] = shadow_ray(light, position_of(hits, item, k));
-            share[k] = unshadowed(hits, light, ray[k], item, k);
-        }
-#endif
 #if CERTIFIED
-        const Certainty certainty = {doubts, curvatures, base, {undecided, first_word}};
+        const Certainty certainty = certainty_of(light, doubts, base, (Undecided){undecided, first_word}, item);
         ulong unsure = 0;
-        FOR_PACKETS(k) unsure |= facing_unsure(hits, light, ray[k], certainty, item, k);
-        leave_undecided(unsure, certainty.undecided, item);
 #else
         const Certainty certainty = {0};
+#endif
+        FOR_PACKETS(k) {
+            ray[k] = shadow_ray(light, position_of(hits, item, k));
+#if CERTIFIED
+            share[k] = certainly_unshadowed(hits, light, ray[k], certainty, item, k, &unsure);
+#else
+            share[k] = unshadowed(hits, light, ray[k], item, k);
+#endif
+        }
+#if CERTIFIED
+        leave_undecided(unsure, certainty.undecided, item);
+#endif
 #endif
 #if SHADOWS == SHADOWS_TRACED
         const Hierarchy hierarchy = {clusters, nodes, levels, last};

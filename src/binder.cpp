@@ -45,7 +45,7 @@ void Binder::bind(cl::Kernel& kernel, const TileLaunch& launch) const {
             return set_arguments(kernel, b.dirs, scene_.eye, launch.tile, scene_.eye_basis, launch.spheres->clusters,
                                  launch.spheres->nodes, launch.spheres->levels, launch.spheres->last,
                                  launch.first_chunk ? 1 : 0, items, b.ts, b.normals, b.ids, launch.first_group,
-                                 hit_counts_, base_doubt(), b.doubts, b.curvatures, undecided_.words(),
+                                 hit_counts_, base_doubt(), undecided_.doubts(), undecided_.words(),
                                  UndecidedRays::first_word(launch.first_block));
         case Kernel::intersect_shadow:
         case Kernel::shade_light:
@@ -72,7 +72,7 @@ void Binder::bind_light(cl::Kernel& kernel, const TileLaunch& launch, int items)
                           plan_.group_depth, albedos.values, albedos.first, albedos.stride, pencil, light.phi,
                           launch.step.first ? 1 : 0, items, b.radiance, launch.step.resolves ? 1 : 0, launch.tile,
                           shape_of_planes(launch.tile), plane(launch, 0), plane(launch, 1), plane(launch, 2),
-                          base_doubt(), b.doubts, b.curvatures, undecided_.words(),
+                          base_doubt(), undecided_.doubts(), undecided_.words(),
                           UndecidedRays::first_word(launch.first_block));
     };
     std::visit(with, light.pencil);

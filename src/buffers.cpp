@@ -60,8 +60,6 @@ TileBuffers allocate_tile(const DeviceMemory& memory, const Plan& plan) {
     // Kernel arguments that a scene does not use still have to name a buffer.
     tile.arrival = reals(plan.uses(Kernel::intersect_shadow) ? rays : 1);
     tile.radiance = reals(plan.uses(Kernel::shade_light) ? 3 * rays : 1);
-    tile.doubts = reals(plan.certified ? rays : 1);
-    tile.curvatures = memory.room<float>(plan.certified ? rays / plan.rays_per_item() : 1);
     tile.albedos = memory.room<float>(plan.albedos_of_rays ? 3 * rays : 1);
     if (!plan.write_in_place)
         for (cl::Buffer& plane : tile.planes) plane = memory.room<float>(rays);
@@ -90,7 +88,6 @@ TilePool::Shape TilePool::shape_of(const Plan& plan) {
             plan.uses(Kernel::intersect_shadow) + size_t{2} * plan.uses(Kernel::shade_light),
             size_t{plan.write_in_place},
             size_t{plan.albedos_of_rays},
-            plan.certified ? static_cast<size_t>(plan.rays_per_item()) : 0,
             static_cast<size_t>(real_bytes(plan.accuracy))};
 }
 

@@ -35,7 +35,10 @@ class Chain {
         } else {
             defines.push_back(plan_.memory.cut ? "CHUNKS=1" : "CHUNKS=0");
         }
-        if (plan_.certified) defines.push_back("CERTIFIED=1");
+        if (plan_.certified) {
+            defines.push_back("CERTIFIED=1");
+            defines.push_back("DOUBT_RAYS=" + std::to_string(plan_.doubt_rays));
+        }
         if (step.kernel == Kernel::intersect_closest)
             defines.push_back(plan_.generate_rays ? "RAYS=RAYS_READ" : "RAYS=RAYS_GENERATED");
         add_lanes(step, defines);

@@ -195,11 +195,11 @@ void DeviceRenderer::run(const Job& job, const std::vector<cl::Kernel>& kernels,
     stats.shares = {{info_, run.tiles, stats.rays, stats.trace_seconds}};
 }
 
-/// In float once more. Bounds were those of work-items, whose size is the device's; those of a ray alone leave fewer
-/// open, the same ones on every device.
+/// In float once more, where a hierarchy was walked down: how far work-items got, whose size is the device's, has a say
+/// in what they left open. A ray alone leaves fewer open, the same ones on every device.
 std::vector<int> DeviceRenderer::open_alone(const Job& job, const SceneBuffers& buffers, const std::vector<int>& pixels,
                                             Film& film, RenderStats& stats) {
-    if (job.plan.rays_per_item() == 1) return pixels;
+    if (job.plan.flat()) return pixels;
     const Plan plan = make_refinement_plan(job.plan, job.scene, Accuracy::certified);
     Refinement alone(workers_, memory_, programs_, pace_, job.options.stop, plan, buffers,
                      single_tiles_.get(memory_, plan).front(), film);

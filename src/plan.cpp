@@ -46,13 +46,16 @@ int most_faces(const Scene& scene, const Survey& survey, const Frame& frame) {
     return most;
 }
 
-/// A bit for each ray and, while undecided ones are computed again, rays and views of doubles.
+/// A bit for each ray, doubts for each block and, while undecided ones are computed again, rays and views of doubles.
 int64_t certifying_bytes(const MemoryNeeds& needs) {
     SphereFootprint doubles = needs.sphere;
     doubles.real_bytes = 8;
-    constexpr int64_t doubt = 8 + 4, place = 4, bit = 1;
-    return needs.image_rays / 8 + int64_t{refinement_batch} * (bytes_per_ray(8) + doubt + place + bit) +
-           int64_t{refinement_batch} * (bytes_per_ray(4) + doubt / 2 + 4) + needs.views * doubles.view(needs.spheres);
+    constexpr int64_t bit = 1, place = 4;
+    const auto alone = [](int real) {
+        return int64_t{refinement_batch} * (bytes_per_ray(real) + 2 * real + bit + place);
+    };
+    const int64_t doubts = needs.image_rays / BLOCK_RAYS * 2 * 4;
+    return needs.image_rays / 8 + doubts + alone(8) + alone(4) + needs.views * doubles.view(needs.spheres);
 }
 
 void use(Tiling tiling, Plan& plan) {
@@ -80,8 +83,6 @@ MemoryPlan share_memory(const Plan& plan, const Scene& scene, const Survey& surv
     needs.asked_tile_rays = options.tile;
     needs.film_bytes_per_ray = plan.write_in_place ? 0 : 3 * 4;
     needs.all_views = options.accuracy == Accuracy::certified;
-    if (needs.all_views)
-        needs.film_bytes_per_ray += 4 + (4 + plan.rays_per_item() - 1) / plan.rays_per_item();  // doubt, curvature
     // The counts of hits, one a work-group and 4 bytes, and a value for each buffer that a scene does not use.
     constexpr int64_t unused = 1024;
     needs.other_bytes =
@@ -214,6 +215,7 @@ Plan make_refinement_plan(const Plan& plan, const Scene& scene, Accuracy accurac
     refined.accuracy = accuracy;
     refined.lanes = 1;
     refined.packets = 1;
+    refined.doubt_rays = 1;
     refined.generate_rays = refined.resolve_radiance = true;
     refined.write_in_place = refined.stream = false;
     const int blocks = refinement_batch / BLOCK_RAYS;

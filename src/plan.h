@@ -104,6 +104,7 @@ struct Plan {
     bool has_rests = false;  ///< their numbers are not all floats
     MemoryPlan memory;
     bool certified = false;        ///< the pixels that rounding may have decided are known
+    int doubt_rays = BLOCK_RAYS;   ///< so many neighbours' hits have one bound: a block's, or each ray its own
     bool albedos_of_rays = false;  ///< looked up by the host when all hits are known, since no chunk has all
 
     int rays_per_item() const { return lanes * packets; }

@@ -47,7 +47,7 @@ Refinement::Refinement(const Workers& workers, const DeviceMemory& memory, Progr
       film_(film),
       memory_(memory),
       hit_counts_(memory.room<int>(refinement_batch)),
-      undecided_(memory, refinement_batch / BLOCK_RAYS),
+      undecided_(memory, plan, refinement_batch / BLOCK_RAYS),
       binder_(workers.context(), plan, scene, film, hit_counts_, undecided_),
       launches_(pace, stop, [this](int, int64_t, double seconds) { longest_ = std::max(longest_, seconds); }) {}
 
@@ -73,7 +73,7 @@ void Refinement::launch(const Step& step, const BuiltKernel& built, const cl::Ke
 void Refinement::trace(const cl::Buffer& places, int first, int count) {
     const int blocks = (count + BLOCK_RAYS - 1) / BLOCK_RAYS;
     const Tile tile{0, 0, blocks, blocks};
-    undecided_.clear(queue_, &last_.emplace_back());
+    undecided_.clear(queue_, last_);
     for (const Step& step : plan_.steps) {
         const BuiltKernel& built = programs_.get(plan_.variants[static_cast<size_t>(step.variant)]);
         cl::Kernel kernel = built.kernel;

@@ -37,7 +37,7 @@ Scheduler::Scheduler(const Workers& workers, const DeviceMemory& memory, const P
       pace_(pace),
       units_(workers.units(plan.workers)),
       film_(film),
-      undecided_(memory, plan.certified ? blocks_of(plan) : 1) {
+      undecided_(memory, plan, plan.certified ? blocks_of(plan) : 1) {
     for (const TileBuffers& buffers : tiles)
         slots_.push_back({workers_[slots_.size() % workers_.size()], buffers, {}, 0, plan.steps.size(), 0});
     for (const Variant& variant : plan.variants) paces_.push_back(&pace.of(variant.name()));
@@ -75,7 +75,7 @@ Measured Scheduler::run(TileQueue& tiles, const std::vector<cl::Event>& after,
     std::vector<cl::Event> ready = after;
     queue_.enqueueFillBuffer(hit_counts_, 0, 0, static_cast<size_t>(groups_) * sizeof(int), nullptr,
                              &ready.emplace_back());
-    if (plan_.certified) undecided_.clear(queue_, &ready.emplace_back());
+    if (plan_.certified) undecided_.clear(queue_, ready);
     queue_.flush();  // or other queues might wait for it forever (OpenCL 1.2, 5.13)
     for (Slot& slot : slots_) slot.busy = ready;
     if (deals_tiles(plan_))

@@ -14,12 +14,17 @@ int pixel_of(int ray, const Tile& tile, const ImageSize& image) {
 
 }  // namespace
 
-UndecidedRays::UndecidedRays(const DeviceMemory& memory, int blocks)
+UndecidedRays::UndecidedRays(const DeviceMemory& memory, const Plan& plan, int blocks)
     : bytes_(static_cast<size_t>(blocks) * words_of_block * sizeof(uint32_t)),
-      words_(memory.room<uint32_t>(int64_t{blocks} * words_of_block)) {}
+      doubts_bytes_(static_cast<size_t>(blocks) * BLOCK_RAYS / static_cast<size_t>(plan.doubt_rays) * 2 *
+                    static_cast<size_t>(real_bytes(plan.accuracy))),
+      adds_up_(plan.rays_per_item() < plan.doubt_rays),
+      words_(memory.room<uint32_t>(int64_t{blocks} * words_of_block)),
+      doubts_(memory.room<uint8_t>(static_cast<int64_t>(doubts_bytes_))) {}
 
-void UndecidedRays::clear(const cl::CommandQueue& queue, cl::Event* done) const {
-    queue.enqueueFillBuffer(words_, uint32_t{0}, 0, bytes_, nullptr, done);
+void UndecidedRays::clear(const cl::CommandQueue& queue, std::vector<cl::Event>& busy) const {
+    queue.enqueueFillBuffer(words_, uint32_t{0}, 0, bytes_, nullptr, &busy.emplace_back());
+    if (adds_up_) queue.enqueueFillBuffer(doubts_, uint32_t{0}, 0, doubts_bytes_, nullptr, &busy.emplace_back());
 }
 
 void UndecidedRays::read(const cl::CommandQueue& queue, std::vector<uint32_t>& words) const {

@@ -39,7 +39,7 @@ HitsOf<real> closest(Bench& bench, Width w, const Camera& camera, const PencilSp
                      .kernel,
                  items, dirs.buffer(), EyePencilOf<real>{}, Tile{}, eye_basis(camera), in.clusters.buffer(),
                  in.nodes.buffer(), spheres.levels, spheres.last, 1, items, ts.buffer(), normals.buffer(), ids.buffer(),
-                 first_group, counts.buffer(), real(0), ts.buffer(), ts.buffer(), ids.buffer(), 0);
+                 first_group, counts.buffer(), real(0), ts.buffer(), ids.buffer(), 0);
     HitsOf<real> hits{ts.read(), normals.read(), ids.read(), counts.read()};
     dirs.check_unchanged();
     in.check_unchanged();
@@ -77,7 +77,7 @@ inline Hits closest_of_pixels(Bench& bench, Width w, const Scene& scene, const T
                           w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_GENERATED"})};
     bench.launch(bench.programs.get(variant).kernel, items, dirs.buffer(), eye_pencil(scene.camera, scene.image), tile,
                  eye_basis(scene.camera), in.clusters.buffer(), in.nodes.buffer(), spheres.levels, spheres.last, 1,
-                 items, ts.buffer(), normals.buffer(), ids.buffer(), 0, counts.buffer(), 0.0f, ts.buffer(), ts.buffer(),
+                 items, ts.buffer(), normals.buffer(), ids.buffer(), 0, counts.buffer(), 0.0f, ts.buffer(),
                  ids.buffer(), 0);
     in.check_unchanged();
     if (dirs_out) *dirs_out = dirs.read();

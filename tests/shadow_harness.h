@@ -159,7 +159,7 @@ inline std::vector<float> shade(Bench& bench, Width w, const Scene& scene, const
                          in.spheres.nodes.buffer(), light.spheres.levels, light.spheres.last, light.group_depth,
                          albedos.buffer(), 0, 3, pencil, light.phi, first, items, radiance.buffer(),
                          shading.image.width > 0 ? 1 : 0, shading.tile, shape, planes[0].buffer(), planes[1].buffer(),
-                         planes[2].buffer(), 0.0f, in.ts.buffer(), in.ts.buffer(), in.ids.buffer(), 0);
+                         planes[2].buffer(), 0.0f, in.ts.buffer(), in.ids.buffer(), 0);
         },
         light.pencil);
     in.check_unchanged();

@@ -11,35 +11,36 @@ using namespace gnomon::test;
 
 namespace {
 
-/// What a certified program writes.
+/// What a certified program writes, each ray with doubts of its own.
 template <class real>
 struct Certified {
     std::vector<real> ts, doubts;
     std::vector<int> ids, undecided;
 
+    double position_doubt(size_t ray) const { return static_cast<double>(doubts[2 * ray]); }
     bool sure(size_t ray) const { return (static_cast<uint32_t>(undecided[ray / 32]) >> ray % 32 & 1) == 0; }
 };
 
 template <class real>
 Certified<real> closest_certified(Bench& bench, const Scene& scene, const std::vector<real>& packed_dirs) {
-    const Width w = widths[0];
+    constexpr Width w{1, 1};
     DeviceSpheres made(bench, scene);
     const PencilSpheresOf<real> spheres = brute(made.seen<real>(view_of_eye<real>(scene.camera, made.frame)));
     const size_t rays = packed_dirs.size() / 3;
     const int items = static_cast<int>(rays) / w.rays();
     const GuardedSpheres<real> in(bench, spheres);
-    const GuardedBuffer<real> dirs(bench, packed_dirs), ts(bench, rays), normals(bench, 3 * rays), doubts(bench, rays);
-    const GuardedBuffer<float> curvatures(bench, static_cast<size_t>(items));
+    const GuardedBuffer<real> dirs(bench, packed_dirs), ts(bench, rays), normals(bench, 3 * rays),
+        doubts(bench, 2 * rays);
     const GuardedBuffer<int> ids(bench, rays), counts(bench, std::vector<int>(rays)),
         undecided(bench, std::vector<int>(rays / 32));
-    const Variant variant{Kernel::intersect_closest,
-                          w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "CERTIFIED=1", "RAYS=RAYS_READ"}),
-                          accuracy_of<real>};
+    const Variant variant{
+        Kernel::intersect_closest,
+        w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "CERTIFIED=1", "DOUBT_RAYS=1", "RAYS=RAYS_READ"}),
+        accuracy_of<real>};
     bench.launch(bench.programs.get(variant).kernel, items, dirs.buffer(), EyePencilOf<real>{}, Tile{},
                  eye_basis(scene.camera), in.clusters.buffer(), in.nodes.buffer(), spheres.levels, spheres.last, 1,
                  items, ts.buffer(), normals.buffer(), ids.buffer(), 0, counts.buffer(),
-                 static_cast<real>(base_doubt(scene, made.survey, made.frame)), doubts.buffer(), curvatures.buffer(),
-                 undecided.buffer(), 0);
+                 static_cast<real>(base_doubt(scene, made.survey, made.frame)), doubts.buffer(), undecided.buffer(), 0);
     in.check_unchanged();
     return {ts.read(), doubts.read(), ids.read(), undecided.read()};
 }
@@ -78,7 +79,7 @@ void compare(Bench& bench, const Scene& scene, const std::vector<Vec3>& dirs, Ta
         ++tally.hits;
         const Vec3 d{rounded[i].x, rounded[i].y, rounded[i].z};
         const double t = hit.t / unit, off = length(d * static_cast<double>(certified.ts[i]) - dirs[i] * t);
-        tally.wrong_positions += !(off <= static_cast<double>(certified.doubts[i]) + 0x1p-50 * t);  // this test's own
+        tally.wrong_positions += !(off <= certified.position_doubt(i) + 0x1p-50 * t);  // this test's own
     }
 }
 

@@ -59,7 +59,7 @@ void check_seen(Bench& bench, const Scene& scene, const PencilView& view, const 
             check_near(c.r2[i], e.r2, Long{u} * 0.51L * e.r2 + 0x1p-47L * s.radius * s.radius);
             check_near(c.power[i], e.power,
                        2 * lost * (e.distance + s.radius) + 0x1p-44L * (e.distance * e.distance + e.r2));
-            const Long wide = s.radius + 0x1p-18L * std::max<Long>(e.distance, s.radius);
+            const Long wide = s.radius + 0x1p-17L * std::max<Long>(e.distance, s.radius);
             CHECK(std::fabs(Long{c.reach[i]} - wide) <= 4 * Long{u} * wide);
             ++seen;
         }
