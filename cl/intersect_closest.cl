@@ -8,34 +8,15 @@
 // rays of which rounding may decide what they hit in undecided (one a ray, from word first_word on), and keeps in
 // doubts what is to be known of all others' hits (certify.h). One work-item: PACKETS * LANES neighbouring rays of a
 // block against the spheres that their fat ray may meet.
-#include "certify.h"
+#include "certain_hit.h"
+#include "closest_hit.h"
 #include "eye_pencil.h"
 #include "fat_ray.h"
-#include "grazing.h"
 #include "ray_buffers.h"
-#include "sphere.h"
 
 #define FAT FatRay
 #define NODE_CANDIDATES node_candidates
 #include "hierarchy.h"
-
-// The closest hit so far.
-typedef struct {
-    realw t;
-    wholew id;
-    vec3w center;
-} Hit;
-
-// What is sure of the closest hits.
-typedef struct {
-    realw other[PACKETS];  // whatever else the rays may meet begins no nearer
-    real steep;            // of all spheres that they hit: certify.h
-} Bounds;
-
-static inline Hit no_hit(void) {
-    const Hit hit = {wide(INFINITY), (wholew)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}};
-    return hit;
-}
 
 static inline void store_misses(global real* ts, global real* normals, global int* ids, int item) {
     FOR_PACKETS(k) {
@@ -57,115 +38,6 @@ __attribute__((always_inline)) static inline int next_candidates(Hierarchy hiera
     return c;
 }
 
-#if CERTIFIED
-
-// As below, but only what bounds settle is a hit; of all else is kept where it may begin.
-static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Bounds* bounds) {
-    const Doubt doubt = doubt_of(s, base);
-    const real behind = surely_outside(s, doubt.power) ? -doubt.shift : -INFINITY;
-    realw b[PACKETS], discriminant[PACKETS];
-    wholew near[PACKETS], any = 0;
-    FOR_PACKETS(k) {
-        b[k] = dot_r(s.center, dir[k]);
-        discriminant[k] = sphere_discriminant(s, dir[k], b[k]);
-        near[k] = !((discriminant[k] < -doubt.discriminant) | (b[k] < behind));
-        any |= near[k];
-    }
-    if (!any_lane(any)) return 0;
-    const RootDoubt off = root_doubt(s, doubt);
-#if REAL_IS_DOUBLE
-    bounds->steep = off.plain < INFINITY ? MORE(bounds->steep, off.steep) : bounds->steep;  // else it is nobody's hit
-#endif
-    const real kept = 1 - LESS(1.0625f * STEEPEST * bounds->steep, MOST_OFF);  // of t, at least
-    FOR_PACKETS(k) {
-        const realw t = sphere_root(s, b[k], discriminant[k]);
-        const wholew plain = near[k] & (discriminant[k] > off.plain), closer = plain & (t < hit[k].t);
-        const realw loser = kept * choose(closer, hit[k].t, choose(plain, t, wide(INFINITY)));
-        const realw other = choose(near[k] & !plain, b[k] - off.back, loser);
-        bounds->other[k] = choose(other < bounds->other[k], other, bounds->other[k]);
-        hit[k].t = choose(closer, t, hit[k].t);
-        hit[k].id = choose(closer, (wholew)(s.id), hit[k].id);
-        hit[k].center = select_w(closer, broadcast(s.center), hit[k].center);
-    }
-    return 1;
-}
-
-// What begins beyond cannot come before the hit.
-static inline realw reaches(Hit hit) { return fma(hit.t, wide(MOST_OFF), hit.t); }
-
-#else
-
-// Whether a sphere that the rays meet could be closer to one of them than what they hit so far: no root is nearer than
-// b - r but for roundings, which `reach` allows for (reach.h). Few spheres meet all rays of a block or none, so that a
-// branch for each packet would only be guessed wrong; many are small, and mostly behind what is hit already.
-static inline int may_be_closer(wholew meets, realw b, float reach, Hit hit) {
-#if WALK == WALK_NODES
-    return any_lane(meets & (b - (real)reach < hit.t));
-#else
-    return 1;
-#endif
-}
-
-// Of equal distances the lowest id's.
-static inline void keep_closer(PencilSphere s, wholew meets, realw t, Hit* hit) {
-    const wholew closer = meets & (t > 0.0f) & ((t < hit->t) | ((t == hit->t) & (hit->id > s.id)));
-    hit->t = choose(closer, t, hit->t);
-    hit->id = choose(closer, (wholew)(s.id), hit->id);
-    hit->center = select_w(closer, broadcast(s.center), hit->center);
-}
-
-// The rays that may graze the sphere, as `intersect` leaves them. They are few, and this works on copies, so that
-// everything else stays in registers.
-static inline int intersect_grazed(PencilSphere s, const vec3w* dir, Hit* hit) {
-    vec3w dirs[PACKETS];
-    Hit hits[PACKETS];
-    FOR_PACKETS(k) {
-        dirs[k] = dir[k];
-        hits[k] = hit[k];
-    }
-    const SphereRests rests = rests_of(s);
-    const real edge = grazing_edge(s);
-    ONE_PACKET_AT_A_TIME(k) {
-        const realw b = dot_r(s.center, dirs[k]);
-        realw discriminant = sphere_discriminant(s, dirs[k], b);
-        const wholew grazes = may_meet(s, b, discriminant, edge) & is_grazing(discriminant, edge);
-        if (!any_lane(grazes) || !may_be_closer(grazes, b, s.reach, hits[k])) continue;
-        const realw t = compensated_root(s, rests, dirs[k], &discriminant);
-        keep_closer(s, grazes & (discriminant >= 0.0f), t, hits + k);
-    }
-    FOR_PACKETS(k) hit[k] = hits[k];
-    return 1;
-}
-
-// 0 when no ray can have a closer hit now than before.
-static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Bounds* bounds) {
-    realw b[PACKETS], discriminant[PACKETS];
-    wholew meets[PACKETS], any = 0, any_grazes = 0;
-    const real edge = grazing_edge(s);
-    FOR_PACKETS(k) {
-        b[k] = dot_r(s.center, dir[k]);
-        discriminant[k] = sphere_discriminant(s, dir[k], b[k]);
-        meets[k] = may_meet(s, b[k], discriminant[k], edge);
-        any |= meets[k];
-    }
-    if (!any_lane(any)) return 0;
-    int any_closer = 0;
-    FOR_PACKETS(k) {
-        const wholew grazes = meets[k] & is_grazing(discriminant[k], edge);
-        any_grazes |= grazes;
-        meets[k] &= !grazes;
-        if (!may_be_closer(meets[k], b[k], s.reach, hit[k])) continue;
-        any_closer = 1;
-        keep_closer(s, meets[k], sphere_root(s, b[k], discriminant[k]), hit + k);
-    }
-    if (UNLIKELY(any_lane(any_grazes))) any_closer |= intersect_grazed(s, dir, hit);
-    return any_closer;
-}
-
-static inline realw reaches(Hit hit) { return hit.t; }
-
-#endif
-
 // Where the farthest of the closest hits is; rays that are none do not count.
 static inline float farthest_hit(const Hit* hit, const wholew* valid) {
     floatw farthest = wide_float(0.0f);
@@ -183,14 +55,6 @@ static inline vec3w outward_normal(Hit hit, vec3w dir, realw* inverse) {
     *inverse = divide(wide(1.0f), square_root(dot_w(out, out)));
     return select_w(hits, scale_w(*inverse, out), infinite);
 }
-
-#if CERTIFIED
-// Whether it is certain what the ray meets, if that may be off by so much: whatever else there is begins beyond. A miss
-// must have met nothing at all. What is added to t's own doubt (position_doubt) is nothing beside it.
-static inline wholew is_certain(wholew hits, Hit hit, realw other, realw off) {
-    return other > choose(hits, hit.t + off, wide(MAXFLOAT));
-}
-#endif
 
 kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, const Tile tile, const Basis basis,
                               global const PencilCluster* restrict clusters, global const Node* restrict nodes,

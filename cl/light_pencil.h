@@ -3,8 +3,10 @@
 #include "types.h"
 
 #if LIGHT == LIGHT_DIRECTIONAL
+#include "parallel_doubt.h"
 #include "parallel_pencil.h"
 #elif LIGHT == LIGHT_POINT
+#include "point_doubt.h"
 #include "point_pencil.h"
 #else
 #error "LIGHT must be LIGHT_DIRECTIONAL or LIGHT_POINT"

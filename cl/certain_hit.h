@@ -1,0 +1,52 @@
+// The closest hits of a work-item's rays in certified pictures: as closest_hit.h has them, but only of what bounds
+// settle.
+#ifndef GNOMON_CERTAIN_HIT_H
+#define GNOMON_CERTAIN_HIT_H
+
+#include "closest_hit.h"
+
+#if CERTIFIED
+
+// As there, but only what bounds settle is a hit; of all else is kept where it may begin.
+static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Bounds* bounds) {
+    const Doubt doubt = doubt_of(s, base);
+    const real behind = surely_outside(s, doubt.power) ? -doubt.shift : -INFINITY;
+    realw b[PACKETS], discriminant[PACKETS];
+    wholew near[PACKETS], any = 0;
+    FOR_PACKETS(k) {
+        b[k] = dot_r(s.center, dir[k]);
+        discriminant[k] = sphere_discriminant(s, dir[k], b[k]);
+        near[k] = !((discriminant[k] < -doubt.discriminant) | (b[k] < behind));
+        any |= near[k];
+    }
+    if (!any_lane(any)) return 0;
+    const RootDoubt off = root_doubt(s, doubt);
+#if REAL_IS_DOUBLE
+    bounds->steep = off.plain < INFINITY ? MORE(bounds->steep, off.steep) : bounds->steep;  // else it is nobody's hit
+#endif
+    const real kept = 1 - LESS(1.0625f * STEEPEST * bounds->steep, MOST_OFF);  // of t, at least
+    FOR_PACKETS(k) {
+        const realw t = sphere_root(s, b[k], discriminant[k]);
+        const wholew plain = near[k] & (discriminant[k] > off.plain), closer = plain & (t < hit[k].t);
+        const realw loser = kept * choose(closer, hit[k].t, choose(plain, t, wide(INFINITY)));
+        const realw other = choose(near[k] & !plain, b[k] - off.back, loser);
+        bounds->other[k] = choose(other < bounds->other[k], other, bounds->other[k]);
+        hit[k].t = choose(closer, t, hit[k].t);
+        hit[k].id = choose(closer, (wholew)(s.id), hit[k].id);
+        hit[k].center = select_w(closer, broadcast(s.center), hit[k].center);
+    }
+    return 1;
+}
+
+// What begins beyond cannot come before the hit.
+static inline realw reaches(Hit hit) { return fma(hit.t, wide(MOST_OFF), hit.t); }
+
+// Whether it is certain what the ray meets, if that may be off by so much: whatever else there is begins beyond. A miss
+// must have met nothing at all. What is added to t's own doubt (position_doubt) is nothing beside it.
+static inline wholew is_certain(wholew hits, Hit hit, realw other, realw off) {
+    return other > choose(hits, hit.t + off, wide(MAXFLOAT));
+}
+
+#endif
+
+#endif

@@ -1,0 +1,172 @@
+// The shadow rays of a work-item in certified pictures: as shadow.h has them, but what rounding may decide is left
+// open.
+#ifndef GNOMON_CERTAIN_SHADOW_H
+#define GNOMON_CERTAIN_SHADOW_H
+
+#include "receivers.h"
+
+#if CERTIFIED
+
+// What is to be known of a work-item's hits, besides those that are undecided already (certify.h): how far what they
+// share may be off, and the numbers of each.
+typedef struct {
+    LightDoubt doubt;
+    real curvature, base;
+    Undecided undecided;
+} Certainty;
+
+// The normal is off by what the position is, the centre's rounding, u |f| <= u (t + r), and its own, over the radius;
+// 3/2 of that serves while it is below 1/2.
+static inline LightDoubt doubt_at(LightPencil light, real position, real curvature, real base) {
+    const real share = position * curvature;
+    const real normal = share < 0.5f ? fma((real)1.5f, share, 12 * ROUNDING) : INFINITY;
+    return light_doubt(light, position, normal, base);
+}
+
+static inline Certainty certainty_of(LightPencil light, global const real* doubts, real base, Undecided undecided,
+                                     int item) {
+    const int place = doubts_place(undecided.first_word, item);
+    const real curvature = doubts[place + 1];
+    return (Certainty){doubt_at(light, doubts[place], curvature, base), curvature, base, undecided};
+}
+
+#if DOUBT_RAYS > 1
+// How far the position of each hit of packet k may be off by itself.
+static inline realw own_positions(Hits hits, Certainty certainty, int item, int k) {
+    return position_doubt(load_r(hits.ts, item, k), load_3(hits.dirs, item, k), load_3(hits.normals, item, k),
+                          MOST_STEEP, certainty.base);
+}
+#endif
+
+// Which of the hits in `open`, bits of packet k, may not face the light by their own doubts. Few get here.
+static inline int facing_alone(Hits hits, LightPencil light, ShadowRay ray, Certainty certainty, int item, int k,
+                               int open) {
+#if DOUBT_RAYS == 1
+    return open;
+#else
+    const realw positions = own_positions(hits, certainty, item, k);
+    const vec3w position = position_of(hits, item, k), normal = load_3(hits.normals, item, k);
+    int left = 0;
+    for (int rest = open; rest; rest &= rest - 1) {
+        const int lane = lowest_bit(rest);
+        const LightDoubt own = doubt_at(light, LANE_OF(positions, lane), certainty.curvature, certainty.base);
+        left |= lane_bits(ints_of(may_face(light, ray, position, normal, own))) & 1 << lane;
+    }
+    return left;
+#endif
+}
+
+// As `unshadowed`; adds the hits of which rounding may decide whether they face the light to `unsure`, as bits of the
+// work-item.
+static inline realw certainly_unshadowed(Hits hits, LightPencil light, ShadowRay ray, Certainty certainty, int item,
+                                         int k, ulong* unsure) {
+    const wholew hit = load_i(hits.ids, item, k) >= 0;
+    if (!any_lane(hit)) return wide(0.0f);
+    const vec3w position = position_of(hits, item, k), normal = load_3(hits.normals, item, k);
+    const realw share = arriving(light, ray, position, normal);
+    const int open = lane_bits(ints_of(hit & may_face(light, ray, position, normal, certainty.doubt)));
+    if (UNLIKELY(open)) *unsure |= (ulong)(uint)facing_alone(hits, light, ray, certainty, item, k, open) << (k * LANES);
+    const wholew lit = hit & (share > 0.0f);
+    return choose(lit, share, wide(0.0f));
+}
+
+// As `occlude`, for hits of the group, where that is certain; where it is not, `unsure` says so.
+static inline int certainly_occlude(PencilSphere s, const ShadowRay* ray, Edge edge, const wholew* id,
+                                    const wholew* group, wholew* unsure, realw* share) {
+    wholew may[PACKETS], any = 0, changed = 0;
+    FOR_PACKETS(k) {
+        may[k] = group[k] & (share[k] > 0.0f) & (id[k] != s.id) & !surely_clear(meeting(s, ray[k]), edge);
+        any |= may[k];
+    }
+    if (!any_lane(any)) return 0;
+    FOR_PACKETS(k) {
+        const wholew closes = may[k] & surely_met(meeting(s, ray[k]), edge);
+        unsure[k] |= may[k] & !closes;
+        share[k] = choose(closes, wide(0.0f), share[k]);
+        changed |= closes;
+    }
+    return any_lane(changed);
+}
+
+#if DOUBT_RAYS > 1
+// The same for one ray of a packet, by its own doubts: 1 if it is occluded, 2 if that is open.
+static inline int trace_alone(Hierarchy hierarchy, FatShadowRay fat, RayDoubt most, ShadowRay ray, LightDoubt own,
+                              int id, int lane) {
+    const RayDoubt alone = own_ray_doubt(own, ray, lane);
+    int open = 0;
+    Traversal traversal = begin(hierarchy, fat);
+    for (int c; (c = next_cluster(hierarchy, &traversal, fat)) >= 0;)
+        for (int rest = certain_shadow_candidates(fat, most, hierarchy.clusters + c); rest; rest &= rest - 1) {
+            const PencilSphere s = sphere_of(hierarchy.clusters + c, lowest_bit(rest));
+            if (s.id == id) continue;
+            const Edge edge = edge_of(s, own, alone);
+            const Meeting at = meeting(s, ray);
+            if (lane_bits(ints_of(surely_met(at, edge))) >> lane & 1) return 1;
+            open |= !(lane_bits(ints_of(surely_clear(at, edge))) >> lane & 1);
+        }
+    return open ? 2 : 0;
+}
+
+// Of the rays in `open`, bits of the work-item, those that are open even so; `occluded` gets those that are occluded.
+// They are few, and this works on copies, so that everything else stays in registers.
+static inline ulong trace_each_alone(Hits hits, Hierarchy hierarchy, LightPencil light, FatShadowRay fat, RayDoubt most,
+                                     const ShadowRay* ray, Certainty certainty, int item, ulong open, ulong* occluded) {
+    ShadowRay rays[PACKETS];
+    FOR_PACKETS(k) rays[k] = ray[k];
+    ulong left = 0, closed = 0;
+    ONE_PACKET_AT_A_TIME(k) {
+        const realw positions = own_positions(hits, certainty, item, k);
+        for (int rest = (int)(open >> k * LANES) & ALL_LANES; rest; rest &= rest - 1) {
+            const int lane = lowest_bit(rest), id = hits.ids[lane_address(item, k, 0, 1) + (size_t)lane];
+            const LightDoubt own = doubt_at(light, LANE_OF(positions, lane), certainty.curvature, certainty.base);
+            const ulong found = (ulong)trace_alone(hierarchy, fat, most, rays[k], own, id, lane);
+            closed |= (found & 1) << (k * LANES + lane);
+            left |= (found >> 1) << (k * LANES + lane);
+        }
+    }
+    *occluded = closed;
+    return left;
+}
+#endif
+
+// As `trace_group`. What is certainly occluded is so whatever else is unsure.
+static inline void trace_certain_group(Hierarchy hierarchy, FatShadowRay fat, RayDoubt most, const ShadowRay* ray,
+                                       LightDoubt doubt, const wholew* id, const wholew* group, wholew* unsure,
+                                       realw* share) {
+    Traversal traversal = begin(hierarchy, fat);
+    for (int c; (c = next_cluster(hierarchy, &traversal, fat)) >= 0;)
+        for (int rest = certain_shadow_candidates(fat, most, hierarchy.clusters + c); rest; rest &= rest - 1) {
+            const PencilSphere s = sphere_of(hierarchy.clusters + c, lowest_bit(rest));
+            const Edge edge = edge_of(s, doubt, most);
+            if (certainly_occlude(s, ray, edge, id, group, unsure, share) && !any_lit(group, share)) return;
+        }
+}
+
+// Takes from the hits of a group what is certainly occluded; leaves undecided what is open.
+static inline void trace_certainly(Hits hits, Hierarchy hierarchy, LightPencil light, const ShadowRay* ray,
+                                   Certainty certainty, int item, const wholew* id, const wholew* group, realw* share) {
+    const int face = face_of(light, ray, group);
+    const RayDoubt most = ray_doubt(certainty.doubt, ray, group);
+    const FatShadowRay fat = widened(fat_shadow_ray(light, face, ray, group), light, face, most);
+    hierarchy.nodes += face * (hierarchy.last + 1);  // each face has its own
+    wholew unsure[PACKETS];
+    FOR_PACKETS(k) unsure[k] = 0;
+    trace_certain_group(hierarchy, fat, most, ray, certainty.doubt, id, group, unsure, share);
+    ulong open = 0;
+    FOR_PACKETS(k) open |= bits_of_packet(unsure[k] & (share[k] > 0.0f), k);
+    if (!UNLIKELY(open)) return;
+#if DOUBT_RAYS > 1
+    ulong occluded;
+    open = trace_each_alone(hits, hierarchy, light, fat, most, ray, certainty, item, open, &occluded);
+    FOR_PACKETS(k) share[k] = choose(lanes_of_bits((int)(occluded >> k * LANES)), wide(0.0f), share[k]);
+#endif
+    leave_undecided(open, certainty.undecided, item);
+}
+
+#else
+typedef struct {
+    int nothing;
+} Certainty;
+#endif
+
+#endif

@@ -1,0 +1,99 @@
+// The closest hits of a work-item's rays, and how a sphere may bring them closer.
+#ifndef GNOMON_CLOSEST_HIT_H
+#define GNOMON_CLOSEST_HIT_H
+
+#include "certify.h"
+#include "grazing.h"
+
+// The closest hit so far.
+typedef struct {
+    realw t;
+    wholew id;
+    vec3w center;
+} Hit;
+
+// What is sure of the closest hits.
+typedef struct {
+    realw other[PACKETS];  // whatever else the rays may meet begins no nearer
+    real steep;            // of all spheres that they hit: certify.h
+} Bounds;
+
+static inline Hit no_hit(void) {
+    const Hit hit = {wide(INFINITY), (wholew)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}};
+    return hit;
+}
+
+#if !CERTIFIED
+
+// Whether a sphere that the rays meet could be closer to one of them than what they hit so far: no root is nearer than
+// b - r but for roundings, which `reach` allows for (reach.h). Few spheres meet all rays of a block or none, so that a
+// branch for each packet would only be guessed wrong; many are small, and mostly behind what is hit already.
+static inline int may_be_closer(wholew meets, realw b, float reach, Hit hit) {
+#if WALK == WALK_NODES
+    return any_lane(meets & (b - (real)reach < hit.t));
+#else
+    return 1;
+#endif
+}
+
+// Of equal distances the lowest id's.
+static inline void keep_closer(PencilSphere s, wholew meets, realw t, Hit* hit) {
+    const wholew closer = meets & (t > 0.0f) & ((t < hit->t) | ((t == hit->t) & (hit->id > s.id)));
+    hit->t = choose(closer, t, hit->t);
+    hit->id = choose(closer, (wholew)(s.id), hit->id);
+    hit->center = select_w(closer, broadcast(s.center), hit->center);
+}
+
+// The rays that may graze the sphere, as `intersect` leaves them. They are few, and this works on copies, so that
+// everything else stays in registers.
+static inline int intersect_grazed(PencilSphere s, const vec3w* dir, Hit* hit) {
+    vec3w dirs[PACKETS];
+    Hit hits[PACKETS];
+    FOR_PACKETS(k) {
+        dirs[k] = dir[k];
+        hits[k] = hit[k];
+    }
+    const SphereRests rests = rests_of(s);
+    const real edge = grazing_edge(s);
+    ONE_PACKET_AT_A_TIME(k) {
+        const realw b = dot_r(s.center, dirs[k]);
+        realw discriminant = sphere_discriminant(s, dirs[k], b);
+        const wholew grazes = may_meet(s, b, discriminant, edge) & is_grazing(discriminant, edge);
+        if (!any_lane(grazes) || !may_be_closer(grazes, b, s.reach, hits[k])) continue;
+        const realw t = compensated_root(s, rests, dirs[k], &discriminant);
+        keep_closer(s, grazes & (discriminant >= 0.0f), t, hits + k);
+    }
+    FOR_PACKETS(k) hit[k] = hits[k];
+    return 1;
+}
+
+// 0 when no ray can have a closer hit now than before.
+static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Bounds* bounds) {
+    realw b[PACKETS], discriminant[PACKETS];
+    wholew meets[PACKETS], any = 0, any_grazes = 0;
+    const real edge = grazing_edge(s);
+    FOR_PACKETS(k) {
+        b[k] = dot_r(s.center, dir[k]);
+        discriminant[k] = sphere_discriminant(s, dir[k], b[k]);
+        meets[k] = may_meet(s, b[k], discriminant[k], edge);
+        any |= meets[k];
+    }
+    if (!any_lane(any)) return 0;
+    int any_closer = 0;
+    FOR_PACKETS(k) {
+        const wholew grazes = meets[k] & is_grazing(discriminant[k], edge);
+        any_grazes |= grazes;
+        meets[k] &= !grazes;
+        if (!may_be_closer(meets[k], b[k], s.reach, hit[k])) continue;
+        any_closer = 1;
+        keep_closer(s, meets[k], sphere_root(s, b[k], discriminant[k]), hit + k);
+    }
+    if (UNLIKELY(any_lane(any_grazes))) any_closer |= intersect_grazed(s, dir, hit);
+    return any_closer;
+}
+
+static inline realw reaches(Hit hit) { return hit.t; }
+
+#endif
+
+#endif

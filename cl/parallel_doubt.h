@@ -1,0 +1,76 @@
+// A directional light's shadow pencil in certified pictures: what rounding may decide of a shadow ray
+// (parallel_pencil.h).
+// Derived in docs/accuracy.md.
+#ifndef GNOMON_PARALLEL_DOUBT_H
+#define GNOMON_PARALLEL_DOUBT_H
+
+#include "certify.h"
+#include "parallel_pencil.h"
+
+#if CERTIFIED
+
+// `position` is how far the receiver is off, with what it takes to bring it into the basis (intersect_closest): this is
+// turned by up to 2 u, and three dot products round by 3 u; together with the sphere's, 12 u |c| in edge_of, 12 u |p|.
+typedef struct {
+    real shift;   // of the receiver
+    real facing;  // of n . l: the normal's doubt, l's turn and the dot product's 3 u
+    real base;
+} LightDoubt;
+
+static inline LightDoubt light_doubt(LightPencil light, real position, real normal, real base) {
+    return (LightDoubt){position + base, normal + 8 * ROUNDING, base};
+}
+
+// Of all rays of a group alike.
+typedef LightDoubt RayDoubt;
+static inline RayDoubt ray_doubt(LightDoubt doubt, const ShadowRay* ray, const wholew* open) { return doubt; }
+static inline RayDoubt own_ray_doubt(LightDoubt own, ShadowRay ray, int lane) { return own; }
+
+// How far D may be off.
+typedef struct {
+    real off;
+} Edge;
+
+static inline Edge edge_of(PencilSphere s, LightDoubt doubt, RayDoubt most) {
+    const real shift = doubt.shift + fma(12 * ROUNDING, distance_of(s), doubt.base);
+    return (Edge){fma(fma((real)3, shift, 2 * radius_of(s)), shift, 12 * ROUNDING * s.r2)};
+}
+
+// D >= 0 says that the line meets the sphere, and D + ahead |ahead| >= 0, which is off by no more than twice as much,
+// that the farther root is ahead.
+typedef struct {
+    realw discriminant, farther;
+} Meeting;
+
+static inline Meeting meeting(PencilSphere s, ShadowRay ray) {
+    const realw ahead = wide(s.center.z) - ray.from.z;
+    const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
+    const realw discriminant = fma(-x, x, fma(-y, y, wide(s.r2)));
+    return (Meeting){discriminant, fma(ahead, fabs(ahead), discriminant)};
+}
+
+// Whether the sphere surely occludes the ray, and whether it surely does not.
+static inline wholew surely_met(Meeting at, Edge edge) {
+    return (at.discriminant > wide(edge.off)) & (at.farther > wide(2 * edge.off));
+}
+static inline wholew surely_clear(Meeting at, Edge edge) {
+    return (at.discriminant < wide(-edge.off)) | (at.farther < wide(-2 * edge.off));
+}
+
+// Where it is open whether the surface faces the light.
+static inline wholew may_face(LightPencil light, ShadowRay ray, vec3w position, vec3w normal, LightDoubt doubt) {
+    return !(fabs(dot_r(light.axis, normal)) > wide(doubt.facing));
+}
+
+// So wide that what is passed over is clear of each ray by its own doubt: docs/accuracy.md, "What is passed over".
+static inline FatShadowRay widened(FatShadowRay fat, LightPencil light, int face, RayDoubt doubt) {
+    const float shift = (float)doubt.shift, across = 2 * shift, along = 4 * shift;
+    return (FatShadowRay){fat.x0 - across, fat.x1 + across, fat.y0 - across, fat.y1 + across, fat.back - along};
+}
+static inline int certain_shadow_candidates(FatShadowRay fat, RayDoubt doubt, global const PencilCluster* c) {
+    return shadow_candidates(fat, c);
+}
+
+#endif
+
+#endif

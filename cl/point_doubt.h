@@ -1,0 +1,149 @@
+// A point light's shadow pencil in certified pictures: what rounding may decide of a shadow ray (point_pencil.h).
+// Derived in docs/accuracy.md.
+#ifndef GNOMON_POINT_DOUBT_H
+#define GNOMON_POINT_DOUBT_H
+
+#include "certify.h"
+#include "point_pencil.h"
+
+#if CERTIFIED
+
+// How far what does not differ from sphere to sphere may be off.
+typedef struct {
+    real way;            // between light and receiver
+    real normal, place;  // of (o - p) . n, times the way, and besides
+    real center;         // the light itself, and a sphere
+} LightDoubt;
+
+// `position` is how far the receiver is off. Its place is rounded, u |o|, and the way between both once; its length 4 u
+// more, and its direction 5 u.
+static inline LightDoubt light_doubt(LightPencil light, real position, real normal, real base) {
+    const real from_eye = root_of(
+        fma(light.origin.x, light.origin.x, fma(light.origin.y, light.origin.y, light.origin.z * light.origin.z)));
+    const real own = fma(2 * ROUNDING, from_eye, base), rounded = 4 * ROUNDING * from_eye;
+    return (LightDoubt){position + (rounded + own), normal + 8 * ROUNDING, position + (rounded + base), base + own};
+}
+
+// Rays may be turned by so much (radians), and their receivers are no farther than this.
+typedef struct {
+    real turn, distance;
+} RayDoubt;
+
+// 3/2 of what the way is off over its length serves while that is below 1/2.
+static inline RayDoubt doubt_between(LightDoubt doubt, real inverse, real distance) {
+    const real turn = fma(1.5f * doubt.way, inverse, 5 * ROUNDING);
+    return (RayDoubt){turn < 0.75f ? turn : INFINITY, distance};
+}
+// The most of a group.
+static inline RayDoubt ray_doubt(LightDoubt doubt, const ShadowRay* ray, const wholew* open) {
+    floatw farthest = wide_float(0.0f), inverse = farthest;
+    FOR_PACKETS(k) {
+        farthest = MORE_WHERE(ints_of(open[k]), floats_of(ray[k].distance), farthest);
+        inverse = MORE_WHERE(ints_of(open[k]), floats_of(ray[k].inverse), inverse);
+    }
+    const real up = 1 + 0x1p-20f;  // doubles became floats
+    return doubt_between(doubt, REDUCE(most, inverse) * up, REDUCE(most, farthest) * up);
+}
+static inline RayDoubt own_ray_doubt(LightDoubt own, ShadowRay ray, int lane) {
+    return doubt_between(own, LANE_OF(ray.inverse, lane), LANE_OF(ray.distance, lane));
+}
+
+// How far D may be off, what says whether the sphere is met before the receiver, and b.
+typedef struct {
+    real discriminant, before, ahead;
+    int outside, inside;
+} Edge;
+
+// Next to the surface the foot is no farther from the receiver than the radius; the power of the receiver seen from a
+// large sphere is off by what that is, times the diameter, and by roundings: 9 u |f| of b, 4 u of each term.
+static inline Edge edge_of(PencilSphere s, LightDoubt doubt, RayDoubt ray) {
+    const real from_light = distance_of(s), radius = radius_of(s);
+    const real power_off = power_doubt(s, from_light, radius, doubt.center);
+    const DiscriminantDoubt of = discriminant_doubt(s, radius, power_off);
+    const real shift = fma(ray.turn, from_light, fma(12 * ROUNDING, from_light, 4 * doubt.center));
+    const real discriminant = fma(fma((real)4, shift, of.slope), shift, of.rest);
+    const real along = shift + 2 * doubt.way;
+    real before;
+    if (is_apart(s)) {
+        before = fma(along, 2 * (along + radius), discriminant);
+    } else {
+        const real rounded = fma(ray.distance, fma((real)4, ray.distance, 26 * from_light), 8 * fabs(s.power));
+        before =
+            fma(fma((real)3, doubt.way, 2 * radius), doubt.way, power_off) + 9 * along * along + ROUNDING * rounded;
+    }
+    return (Edge){discriminant, before, shift, surely_outside(s, power_off), surely_inside(s, power_off)};
+}
+
+// From outside D >= 0 says that the line meets the sphere, and D + before |before| >= 0 that the nearer root comes
+// before the receiver; from inside it is met where the receiver is not in the ball.
+typedef struct {
+    realw b, discriminant, power, nearer;
+} Meeting;
+
+static inline Meeting meeting(PencilSphere s, ShadowRay ray) {
+    const realw b = dot_r(s.center, ray.dir), before = ray.distance - b;
+    const realw discriminant = sphere_discriminant(s, ray.dir, b);
+    const realw power = is_apart(s) ? fma(before, before, -discriminant) : fma(ray.distance, before - b, wide(s.power));
+    const realw nearer =
+        is_apart(s) ? fma(before, fabs(before), discriminant) : fma(before, before + fabs(before), -power);
+    return (Meeting){b, discriminant, power, nearer};
+}
+
+// Whether the sphere surely occludes the ray, and whether it surely does not.
+static inline wholew surely_met(Meeting at, Edge edge) {
+    if (edge.outside)
+        return (at.discriminant > wide(edge.discriminant)) & (at.b > wide(edge.ahead)) &
+               (at.nearer > wide(edge.before));
+    return edge.inside ? at.power > wide(edge.before) : (wholew)(0);
+}
+static inline wholew surely_clear(Meeting at, Edge edge) {
+    if (edge.outside)
+        return (at.discriminant < wide(-edge.discriminant)) | (at.b < wide(-edge.ahead)) |
+               (at.nearer < wide(-edge.before));
+    return edge.inside ? at.power < wide(-edge.before) : at.discriminant < wide(-edge.discriminant);
+}
+
+// Where it is open whether the surface faces the light: (o - p) . n is off by the normal's doubt and 8 u, times the
+// way, and by the way's.
+static inline wholew may_face(LightPencil light, ShadowRay ray, vec3w position, vec3w normal, LightDoubt doubt) {
+    const realw edge = fma(ray.distance, wide(doubt.normal), wide(doubt.place));
+    return !(fabs(dot_w(from_light(light, position), normal)) > edge);
+}
+
+// Turning a ray by a small angle moves X by (1 + X^2) of it, and by less than twice that while the angle and X times it
+// are below 1/4.
+static inline float outward(float x, float turn) {
+    return fabs(turn) * MORE(fabs(x), 1.0f) < 0x1p-8f ? fma(2 * turn, fma(x, x, 1.0f), x) : turn * INFINITY;
+}
+
+// So wide that what is passed over is clear of each ray by its own doubt: docs/accuracy.md, "What is passed over".
+static inline FatShadowRay widened(FatShadowRay fat, LightPencil light, int face, RayDoubt doubt) {
+    const float turn = 6 * (float)doubt.turn;
+    FatRay wider = fat_ray_between(outward(fat.x0, -turn), outward(fat.x1, turn), outward(fat.y0, -turn),
+                                   outward(fat.y1, turn), light.face[face]);
+    wider.distance = fma(turn, fat.distance, fat.distance);
+    return wider;
+}
+
+// As `candidates`, but what begins behind all receivers is passed over only where it does so by an eighth of the radius
+// and 32 times what the way ahead may be off.
+static inline int certain_shadow_candidates(FatShadowRay fat, RayDoubt doubt, global const PencilCluster* c) {
+#if WALK != WALK_CLUSTERS
+    return candidates(fat, c);
+#endif
+    const float turn = (float)doubt.turn, distance = (float)doubt.distance;
+    const float slope = 32 * (turn + (float)(12 * ROUNDING)), farthest = fma(64 * turn, distance, distance);
+    fat.distance = INFINITY;
+    int kept = 0;
+    for (int first = 0; first < CLUSTER; first += LANES) {
+        const float3w f = {floats_at(c->x, first), floats_at(c->y, first), floats_at(c->z, first)};
+        const floatw begin = dot_f(fat.axis, f) - 1.125f * lanes_at(c->reach, first);
+        const intw beyond = fma(wide_float(-slope), fabs(f.x) + fabs(f.y) + fabs(f.z), begin) > farthest;
+        kept |= lane_bits(!beyond) << first;
+    }
+    return kept & candidates(fat, c);
+}
+
+#endif
+
+#endif

@@ -1,0 +1,36 @@
+// Where the shadow rays of a work-item begin: the hits, as intersect_closest wrote them, and which of them still get
+// light.
+#ifndef GNOMON_RECEIVERS_H
+#define GNOMON_RECEIVERS_H
+
+#include "light_pencil.h"
+#include "ray_buffers.h"
+
+#define FAT FatShadowRay
+#define NODE_CANDIDATES shadow_node_candidates
+#include "hierarchy.h"
+
+// What intersect_closest wrote, with the rays that it read.
+typedef struct {
+    global const real *dirs, *ts, *normals;
+    global const int* ids;
+} Hits;
+
+static inline vec3w position_of(Hits hits, int item, int k) {
+    return scale_w(load_r(hits.ts, item, k), load_3(hits.dirs, item, k));
+}
+
+static inline int any_open(const wholew* open) {
+    wholew any = 0;
+    FOR_PACKETS(k) any |= open[k];
+    return any_lane(any);
+}
+
+// Whether anything arrives yet at a hit of the group.
+static inline int any_lit(const wholew* group, const realw* share) {
+    wholew any = 0;
+    FOR_PACKETS(k) any |= group[k] & (share[k] > 0.0f);
+    return any_lane(any);
+}
+
+#endif
