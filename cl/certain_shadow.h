@@ -63,11 +63,9 @@ static inline realw certainly_unshadowed(Hits hits, LightPencil light, ShadowRay
     const wholew hit = load_i(hits.ids, item, k) >= 0;
     if (!any_lane(hit)) return wide(0.0f);
     const vec3w position = position_of(hits, item, k), normal = load_3(hits.normals, item, k);
-    const realw share = arriving(light, ray, position, normal);
     const int open = lane_bits(ints_of(hit & may_face(light, ray, position, normal, certainty.doubt)));
     if (UNLIKELY(open)) *unsure |= (ulong)(uint)facing_alone(hits, light, ray, certainty, item, k, open) << (k * LANES);
-    const wholew lit = hit & (share > 0.0f);
-    return choose(lit, share, wide(0.0f));
+    return unshadowed(hits, light, ray, item, k);
 }
 
 // As `occlude`, for hits of the group, where that is certain; where it is not, `unsure` says so.
@@ -138,7 +136,7 @@ static inline void trace_certain_group(Hierarchy hierarchy, FatShadowRay fat, Ra
         for (int rest = certain_shadow_candidates(fat, most, hierarchy.clusters + c); rest; rest &= rest - 1) {
             const PencilSphere s = sphere_of(hierarchy.clusters + c, lowest_bit(rest));
             const Edge edge = edge_of(s, doubt, most);
-            if (certainly_occlude(s, ray, edge, id, group, unsure, share) && !any_lit(group, share)) return;
+            if (certainly_occlude(s, ray, edge, id, group, unsure, share) && !any_still_lit(group, share)) return;
         }
 }
 

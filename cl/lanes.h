@@ -116,7 +116,7 @@ static inline int any_lane(wholew mask) { return REDUCE(or, ints_of(mask)); }
 // a where the mask holds, else b. In OpenCL C that is `mask ? a : b`, of which clang makes and, or and not of bits
 // where a, b are vectors; told so, it blends, keeps masks in mask registers, and sees a minimum in LESS_WHERE.
 #if CLANG_TO_MACHINE && LANES == 16 && defined(__AVX512DQ__) && !REAL_IS_DOUBLE
-#define BLEND(which, mask, a, b) which((ushort)__builtin_ia32_cvtd2mask512(mask), a, b)
+#define BLEND(which, mask, a, b) which((ushort)lane_bits(mask), a, b)
 static inline floatw __attribute__((overloadable)) choose(intw mask, floatw a, floatw b) {
     return as_floatw(BLEND(__builtin_ia32_selectps_512, mask, a, b));
 }

@@ -1,6 +1,5 @@
 // A directional light's shadow pencil in certified pictures: what rounding may decide of a shadow ray
-// (parallel_pencil.h).
-// Derived in docs/accuracy.md.
+// (parallel_pencil.h). Derived in docs/accuracy.md.
 #ifndef GNOMON_PARALLEL_DOUBT_H
 #define GNOMON_PARALLEL_DOUBT_H
 
@@ -43,9 +42,7 @@ typedef struct {
 } Meeting;
 
 static inline Meeting meeting(PencilSphere s, ShadowRay ray) {
-    const realw ahead = wide(s.center.z) - ray.from.z;
-    const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
-    const realw discriminant = fma(-x, x, fma(-y, y, wide(s.r2)));
+    const realw ahead = wide(s.center.z) - ray.from.z, discriminant = disc_discriminant(s, ray);
     return (Meeting){discriminant, fma(ahead, fabs(ahead), discriminant)};
 }
 

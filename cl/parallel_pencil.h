@@ -29,6 +29,12 @@ static inline realw arriving(LightPencil light, ShadowRay ray, vec3w position, v
     return dot_r(light.axis, normal);
 }
 
+// D = r^2 - |across|^2: >= 0 where the line comes no farther from the centre than the radius.
+static inline realw disc_discriminant(PencilSphere s, ShadowRay ray) {
+    const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
+    return fma(-x, x, fma(-y, y, wide(s.r2)));
+}
+
 // Whether the sphere meets the ray at any t > 0, that is: its line comes closer than the radius, and the farther root
 // ahead + sqrt(D) is > 0, with `ahead` the way along the axis from the receiver p to the foot of the centre c.
 //   D = r^2 - |across|^2, whose error is a few u r (|p| + |c|), serves spheres that look small, and receivers far away.
@@ -36,9 +42,7 @@ static inline realw arriving(LightPencil light, ShadowRay ray, vec3w position, v
 //   is (see sphere.h). Its error is a few u |p| (|p| + |c|): less for a sphere that looks large (|c| < 1.5 r) where |p|
 //   < r.
 static inline wholew occludes(PencilSphere s, ShadowRay ray) {
-    const realw ahead = wide(s.center.z) - ray.from.z;
-    const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
-    const realw discriminant = fma(-x, x, fma(-y, y, wide(s.r2)));
+    const realw ahead = wide(s.center.z) - ray.from.z, discriminant = disc_discriminant(s, ray);
     const wholew by_disc = (discriminant >= 0.0f) & ((ahead > 0.0f) | (ahead * ahead < discriminant));
     if (looks_small(s)) return by_disc;
     const realw power = wide(s.power) + fma(wide(-2.0f), dot_r(s.center, ray.from), ray.squared);
@@ -48,8 +52,7 @@ static inline wholew occludes(PencilSphere s, ShadowRay ray) {
 
 // Whether it may: where it does not, occludes is 0.
 static inline wholew may_occlude(PencilSphere s, ShadowRay ray) {
-    const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
-    const wholew by_disc = fma(-x, x, fma(-y, y, wide(s.r2))) >= 0.0f;
+    const wholew by_disc = disc_discriminant(s, ray) >= 0.0f;
     return looks_small(s) ? by_disc : by_disc | (ray.squared < wide(s.r2));
 }
 

@@ -20,6 +20,15 @@ static inline vec3w position_of(Hits hits, int item, int k) {
     return scale_w(load_r(hits.ts, item, k), load_3(hits.dirs, item, k));
 }
 
+// What arrives (arriving(), > 0) at the hits of packet k if nothing is in between, else 0.
+static inline realw unshadowed(Hits hits, LightPencil light, ShadowRay ray, int item, int k) {
+    const wholew hit = load_i(hits.ids, item, k) >= 0;
+    if (!any_lane(hit)) return wide(0.0f);
+    const realw share = arriving(light, ray, position_of(hits, item, k), load_3(hits.normals, item, k));
+    const wholew lit = hit & (share > 0.0f);
+    return choose(lit, share, wide(0.0f));
+}
+
 static inline int any_open(const wholew* open) {
     wholew any = 0;
     FOR_PACKETS(k) any |= open[k];
@@ -27,7 +36,7 @@ static inline int any_open(const wholew* open) {
 }
 
 // Whether anything arrives yet at a hit of the group.
-static inline int any_lit(const wholew* group, const realw* share) {
+static inline int any_still_lit(const wholew* group, const realw* share) {
     wholew any = 0;
     FOR_PACKETS(k) any |= group[k] & (share[k] > 0.0f);
     return any_lane(any);

@@ -8,15 +8,6 @@
 #include "certain_shadow.h"
 #include "receivers.h"
 
-// What arrives (arriving(), > 0) at the hits of packet k if nothing is in between, else 0.
-static inline realw unshadowed(Hits hits, LightPencil light, ShadowRay ray, int item, int k) {
-    const wholew hit = load_i(hits.ids, item, k) >= 0;
-    if (!any_lane(hit)) return wide(0.0f);
-    const realw share = arriving(light, ray, position_of(hits, item, k), load_3(hits.normals, item, k));
-    const wholew lit = hit & (share > 0.0f);
-    return choose(lit, share, wide(0.0f));
-}
-
 // Takes from the hits that the sphere occludes what they had; the result is not 0 when there were any. Most spheres
 // occlude nothing of a work-item, which is found first, in a third of the work.
 static inline int occlude(PencilSphere s, const ShadowRay* ray, const wholew* id, realw* share) {
@@ -41,7 +32,7 @@ static inline void trace_group(Hierarchy hierarchy, LightPencil light, const Sha
     for (int c; (c = next_cluster(hierarchy, &traversal, fat)) >= 0;)
         for (int rest = shadow_candidates(fat, hierarchy.clusters + c); rest; rest &= rest - 1) {
             const PencilSphere s = sphere_of(hierarchy.clusters + c, lowest_bit(rest));
-            if (occlude(s, ray, id, share) && !any_lit(group, share)) return;
+            if (occlude(s, ray, id, share) && !any_still_lit(group, share)) return;
         }
 }
 
