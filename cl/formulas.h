@@ -4,6 +4,7 @@
 #ifndef GNOMON_FORMULAS_H
 #define GNOMON_FORMULAS_H
 
+#include "certify.h"
 #include "grazing.h"
 
 // A miss has t = +inf and the normal (inf, inf, inf).
@@ -52,10 +53,15 @@ static inline Root intersect_perpendicular(RootSphere s, vec3w dir) {
     return with_normal(s, dir, first_root(discriminant >= 0.0f, near, far));
 }
 
+// As kernels have it. No less than the radius is what its reach must be (radius_of).
+static inline PencilSphere pencil_sphere(RootSphere s) {
+    return (PencilSphere){
+        .center = {s.center.x, s.center.y, s.center.z}, .r2 = s.radius * s.radius, .power = s.power, .reach = s.radius};
+}
+
 // What every picture is made with: sphere.h, and grazing.h.
 static inline Root intersect_pencil(RootSphere s, vec3w dir) {
-    const PencilSphere sphere = {
-        .center = {s.center.x, s.center.y, s.center.z}, .r2 = s.radius * s.radius, .power = s.power};
+    const PencilSphere sphere = pencil_sphere(s);
     const realw b = dot_r(s.center, dir), discriminant = sphere_discriminant(sphere, dir, b);
     const real edge = grazing_edge(sphere);
     const wholew meets = may_meet(sphere, b, discriminant, edge), grazes = meets & is_grazing(discriminant, edge);
@@ -124,6 +130,22 @@ static inline Root intersect_double(RootSphere s, vec3w dir) {
     const vec3w infinite = {wide(INFINITY), wide(INFINITY), wide(INFINITY)};
     const realw rounded = convert_realw(hit);
     return (Root){rounded, select_w(rounded < wide(INFINITY), unit, infinite)};
+}
+
+// What certified pictures are made with: the pencil's root where the bounds of certify.h settle that the ray meets the
+// sphere or misses it, else the one in double.
+static inline Root intersect_certified(RootSphere s, vec3w dir) {
+    const PencilSphere sphere = pencil_sphere(s);
+    const Doubt doubt = doubt_of(sphere, 0);
+    const real behind = surely_outside(sphere, doubt.power) ? -doubt.shift : -INFINITY;
+    const realw b = dot_r(s.center, dir), discriminant = sphere_discriminant(sphere, dir, b);
+    const wholew near = !((discriminant < -doubt.discriminant) | (b < behind));
+    const wholew plain = near & (discriminant > root_doubt(sphere, doubt).plain), open = near & !plain;
+    const realw t = choose(plain, sphere_root(sphere, b, discriminant), wide(INFINITY));
+    const Root settled = with_normal(s, dir, t);
+    if (!any_lane(open)) return settled;
+    const Root again = intersect_double(s, dir);
+    return (Root){choose(open, again.t, settled.t), select_w(open, again.normal, settled.normal)};
 }
 #endif
 

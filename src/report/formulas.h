@@ -19,7 +19,8 @@ inline std::vector<Formula> formulas() {
             {"pencil", "cl/sphere.h: perpendicular or b^2 - C, with C from the host; compensated where rays graze",
              false, true},
             {"compensated", "perpendicular, in sums of two floats"},
-            {"double", "perpendicular in double, rounded to float", true}};
+            {"double", "perpendicular in double, rounded to float", true},
+            {"certified", "pencil where the bounds of cl/certify.h settle hit or miss, else double", true}};
 }
 
 }  // namespace gnomon::report
