@@ -1,13 +1,13 @@
 // project_spheres: the spheres of the scene as one pencil sees them.
 //
 // Reads the clusters and what rounding left over of them (-D RESTS=1; else the clusters are exact, and rests is not
-// touched). Writes for each place centre, reach, r^2, power and id: types.h. -D PARALLEL=1: in the light's basis, from
+// touched). Writes for each place centre, reach, r^2, power and id: types.h. For a parallel light in its basis, from
 // the eye, which is then the apex; else from the apex. One work-item: one cluster.
 #include "reach.h"
 #include "two_reals.h"
 
 kernel void project_spheres(global const Cluster* restrict clusters, global const ClusterRest* restrict rests,
-                            const Apex apex, const ParallelPencil light, const int items,
+                            const Apex apex, const ParallelPencil light, const int parallel, const int items,
                             global PencilCluster* restrict seen, const int first_item) {
     const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
@@ -26,11 +26,12 @@ kernel void project_spheres(global const Cluster* restrict clusters, global cons
     const TwoReals3 f = {two_difference(number_of(vload16(0, c->x), x_rest), apex.hi.x, apex.lo.x),
                          two_difference(number_of(vload16(0, c->y), y_rest), apex.hi.y, apex.lo.y),
                          two_difference(number_of(vload16(0, c->z), z_rest), apex.hi.z, apex.lo.z)};
-#if PARALLEL
-    const real16 x = along(light.u, f), y = along(light.v, f), z = along(light.axis, f);
-#else
-    const real16 x = f.x.hi, y = f.y.hi, z = f.z.hi;
-#endif
+    real16 x = f.x.hi, y = f.y.hi, z = f.z.hi;
+    if (parallel) {
+        x = along(light.u, f);
+        y = along(light.v, f);
+        z = along(light.axis, f);
+    }
     const real16 distance = sqrt(fma(x, x, fma(y, y, z * z)));
     const float16 reach = reach_of(floats_of_16(radius.hi), floats_of_16(distance));
     vstore16(x, 0, to->x);

@@ -124,17 +124,15 @@ void add_sphere_kernels(Plan& plan, const Scene& scene) {
         if (std::find(all.begin(), all.end(), variant) == all.end()) all.push_back(variant);
     };
     const auto add_view = [&](bool parallel) {
-        add(Kernel::project_spheres, parallel);
+        add(Kernel::project_spheres);
         if (plan.flat()) return;
         add(Kernel::bound_clusters, parallel);
         add(Kernel::bound_nodes, parallel);
     };
     if (!plan.flat())
-        for (const Kernel kernel :
-             {Kernel::sphere_keys, Kernel::count_digits, Kernel::scan_counts, Kernel::scatter_pairs})
+        for (const Kernel kernel : {Kernel::sphere_keys, Kernel::count_digits, Kernel::scan_counts,
+                                    Kernel::scatter_pairs, Kernel::find_duplicates, Kernel::gather_spheres})
             add(kernel);
-    add(Kernel::find_duplicates);
-    add(Kernel::gather_spheres);
     add_view(false);
     if (plan.shadows == Shadows::off || !plan.uses(Kernel::shade_light)) return;
     for (const Light& light : scene.lights)

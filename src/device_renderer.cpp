@@ -160,7 +160,10 @@ const DeviceRenderer::Still& DeviceRenderer::still_spheres(const Job& job, Spher
     if (still_ && still_->frame == job.frame) return *still_;
     still_.reset();
     Still made{job.survey, job.frame, upload_rows(job), {}};
-    if (!job.plan.memory.cut) made.clusters = kernels.gather(made.rows.buffers, job.survey, job.frame);
+    if (job.plan.flat())
+        made.clusters = kernels.copy_few(made.rows.rows);
+    else if (!job.plan.memory.cut)
+        made.clusters = kernels.gather(made.rows.buffers, job.survey, job.frame);
     return still_.emplace(std::move(made));
 }
 

@@ -137,7 +137,7 @@ Variant sphere_variant(Kernel kernel, Accuracy accuracy, bool has_rests, bool is
     const std::string rests = has_rests ? "RESTS=1" : "RESTS=0", parallel = is_parallel ? "PARALLEL=1" : "PARALLEL=0";
     switch (kernel) {
         case Kernel::project_spheres:
-            return {kernel, {rests, parallel}, seen};
+            return {kernel, {rests}, seen};
         case Kernel::bound_clusters:
             return {kernel, {"LANES=16", "PACKETS=1", parallel}, seen};
         case Kernel::bound_nodes:

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "flat_clusters.h"
+
 namespace gnomon {
 
 namespace {
@@ -101,18 +103,23 @@ void SphereKernels::order(const RowBuffers& rows, const Survey& survey, const Fr
     launcher_.finish();  // only then are the pairs given back
 }
 
+ClusterBuffers SphereKernels::copy_few(const SphereRows& rows) {
+    const FlatClusters made = flat_clusters(rows);
+    const auto count = static_cast<int64_t>(made.clusters.size());
+    ClusterBuffers result;
+    result.shape = hierarchy_over(rows.count);
+    result.has_rests = !made.rests.empty();
+    result.clusters = memory_.copy(made.clusters.data(), count);
+    result.rests = result.has_rests ? memory_.copy(made.rests.data(), count) : memory_.room<ClusterRest>(1);
+    return result;
+}
+
 ClusterBuffers SphereKernels::gather(const RowBuffers& rows, const Survey& survey, const Frame& frame) {
     ClusterBuffers result;
-    result.shape = hierarchy_over(rows.count, plan_.memory.cut ? 0 : flat_spheres);
+    result.shape = hierarchy_over(rows.count, 0);
     result.has_rests = rows.has_rests;
     const cl::Buffer order = memory_.room<int>(rows.count);
-    if (result.shape.is_flat()) {
-        std::vector<Pair> unsorted(static_cast<size_t>(rows.count));
-        for (cl_uint row = 0; row < unsorted.size(); ++row) unsorted[row] = {0, row};
-        find_duplicates({memory_.copy(unsorted.data(), rows.count), {}, {}, {}}, rows, false, any_run, order);
-    } else {
-        this->order(rows, survey, frame, order);
-    }
+    this->order(rows, survey, frame, order);
     result.clusters = memory_.room<Cluster>(result.shape.clusters);
     result.rests = memory_.room<ClusterRest>(rows.has_rests ? result.shape.clusters : 1);
     launcher_.launch(sphere_variant(Kernel::gather_spheres, plan_.accuracy, rows.has_rests, false, rows.has_ids),
@@ -127,9 +134,9 @@ SphereBuffers SphereKernels::project(const ClusterBuffers& spheres, const Pencil
     SphereBuffers result{with_real(plan_.accuracy, room), {}, shape.levels(), shape.last()};
     result.nodes = memory_.room<Node>(static_cast<int64_t>(view.faces.size()) * shape.all_nodes());
     launcher_.branch();
-    launcher_.launch(sphere_variant(Kernel::project_spheres, plan_.accuracy, spheres.has_rests, view.is_parallel),
-                     shape.clusters, plan_.local_size, spheres.clusters, spheres.rests, view.apex, view.parallel,
-                     shape.clusters, result.clusters);
+    launcher_.launch(sphere_variant(Kernel::project_spheres, plan_.accuracy, spheres.has_rests), shape.clusters,
+                     plan_.local_size, spheres.clusters, spheres.rests, view.apex, view.parallel,
+                     view.is_parallel ? 1 : 0, shape.clusters, result.clusters);
     if (!shape.is_flat()) bound(result, shape, view);
     return result;
 }

@@ -1,5 +1,5 @@
 // The spheres on the device: sorted along a curve through space, in clusters, and what each pencil sees of them. All of
-// it is done by kernels.
+// it is done by kernels, but that few spheres are put in clusters on the host.
 #pragma once
 
 #include "device_memory.h"
@@ -59,7 +59,10 @@ class SphereKernels {
     SphereKernels(const DeviceMemory& memory, Launcher& launcher, const Plan& plan)
         : memory_(memory), launcher_(launcher), plan_(plan) {}
 
-    /// Sorts spheres and gathers them in clusters. Coincident spheres count as one: the lowest id stands for all.
+    /// Spheres in clusters, in the order of their ids, for a scene that is flat. Coincident spheres count as one: the
+    /// lowest id stands for all.
+    ClusterBuffers copy_few(const SphereRows& rows);
+    /// Likewise, but sorted for a hierarchy.
     ClusterBuffers gather(const RowBuffers& rows, const Survey& survey, const Frame& frame);
     /// No view waits for another: Launcher::branch.
     SphereBuffers project(const ClusterBuffers& spheres, const PencilView& view);

@@ -47,7 +47,8 @@ class DeviceSpheres {
         plan_.local_size = bench.local;
         plan_.max_slices = sharing.slices;
         SphereKernels kernels(memory_, launcher_, plan_);
-        buffers = kernels.gather(upload(memory_, rows_), survey, frame);
+        buffers = hierarchy_over(survey.count).is_flat() ? kernels.copy_few(rows_)
+                                                         : kernels.gather(upload(memory_, rows_), survey, frame);
     }
     /// The view must be one of the same reals.
     template <class real = float>

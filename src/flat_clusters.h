@@ -1,0 +1,21 @@
+// Few spheres in clusters, made on the host.
+#pragma once
+
+#include <vector>
+
+#include "../cl/types.h"
+#include "sphere_rows.h"
+
+namespace gnomon {
+
+/// As gather_spheres writes them; no rests where all numbers are floats.
+struct FlatClusters {
+    std::vector<Cluster> clusters;
+    std::vector<ClusterRest> rests;
+};
+
+/// In the order of their ids, with an empty place for a sphere that coincides with one of a lower id. For so few, to
+/// build the kernels that do this would take longer than all else that has to be built.
+FlatClusters flat_clusters(const SphereRows& rows);
+
+}  // namespace gnomon
