@@ -38,33 +38,38 @@ static inline realw own_positions(Hits hits, Certainty certainty, int item, int 
 }
 #endif
 
-// Which of the hits in `open`, bits of packet k, may not face the light by their own doubts. Few get here.
-static inline int facing_alone(Hits hits, LightPencil light, ShadowRay ray, Certainty certainty, int item, int k,
-                               int open) {
+// Which of the hits in `open`, bits of the work-item, may not face the light by their own doubts. They are few, and
+// this works on copies, so that everything else stays in registers.
+static inline ulong facing_alone(Hits hits, LightPencil light, const ShadowRay* ray, Certainty certainty, int item,
+                                 ulong open) {
 #if DOUBT_RAYS == 1
     return open;
 #else
-    const realw positions = own_positions(hits, certainty, item, k);
-    const vec3w position = position_of(hits, item, k), normal = load_3(hits.normals, item, k);
-    int left = 0;
-    for (int rest = open; rest; rest &= rest - 1) {
-        const int lane = lowest_bit(rest);
-        const LightDoubt own = doubt_at(light, LANE_OF(positions, lane), certainty.curvature, certainty.base);
-        left |= lane_bits(ints_of(may_face(light, ray, position, normal, own))) & 1 << lane;
+    ShadowRay rays[PACKETS];
+    FOR_PACKETS(k) rays[k] = ray[k];
+    ulong left = 0;
+    ONE_PACKET_AT_A_TIME(k) {
+        const realw positions = own_positions(hits, certainty, item, k);
+        const vec3w position = position_of(hits, item, k), normal = load_3(hits.normals, item, k);
+        for (int rest = (int)(open >> k * LANES) & ALL_LANES; rest; rest &= rest - 1) {
+            const int lane = lowest_bit(rest);
+            const LightDoubt own = doubt_at(light, LANE_OF(positions, lane), certainty.curvature, certainty.base);
+            const int facing = lane_bits(ints_of(may_face(light, rays[k], position, normal, own))) >> lane & 1;
+            left |= (ulong)facing << (k * LANES + lane);
+        }
     }
     return left;
 #endif
 }
 
-// As `unshadowed`; adds the hits of which rounding may decide whether they face the light to `unsure`, as bits of the
+// As `unshadowed`; adds the hits that may not face the light by what all have in common to `open`, as bits of the
 // work-item.
 static inline realw certainly_unshadowed(Hits hits, LightPencil light, ShadowRay ray, Certainty certainty, int item,
-                                         int k, ulong* unsure) {
+                                         int k, ulong* open) {
     const wholew hit = load_i(hits.ids, item, k) >= 0;
     if (!any_lane(hit)) return wide(0.0f);
     const vec3w position = position_of(hits, item, k), normal = load_3(hits.normals, item, k);
-    const int open = lane_bits(ints_of(hit & may_face(light, ray, position, normal, certainty.doubt)));
-    if (UNLIKELY(open)) *unsure |= (ulong)(uint)facing_alone(hits, light, ray, certainty, item, k, open) << (k * LANES);
+    *open |= bits_of_packet(hit & may_face(light, ray, position, normal, certainty.doubt), k);
     return unshadowed(hits, light, ray, item, k);
 }
 

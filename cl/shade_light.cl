@@ -99,20 +99,21 @@ kernel void shade_light(global const real* restrict dirs, global const real* res
         ShadowRay ray[PACKETS];
 #if CERTIFIED
         const Certainty certainty = certainty_of(light, doubts, base, (Undecided){undecided, first_word}, item);
-        ulong unsure = 0;
+        ulong open = 0;
 #else
         const Certainty certainty = {0};
 #endif
         FOR_PACKETS(k) {
             ray[k] = shadow_ray(light, position_of(hits, item, k));
 #if CERTIFIED
-            share[k] = certainly_unshadowed(hits, light, ray[k], certainty, item, k, &unsure);
+            share[k] = certainly_unshadowed(hits, light, ray[k], certainty, item, k, &open);
 #else
             share[k] = unshadowed(hits, light, ray[k], item, k);
 #endif
         }
 #if CERTIFIED
-        leave_undecided(unsure, certainty.undecided, item);
+        if (UNLIKELY(open))
+            leave_undecided(facing_alone(hits, light, ray, certainty, item, open), certainty.undecided, item);
 #endif
 #endif
 #if SHADOWS == SHADOWS_TRACED
