@@ -6,12 +6,16 @@
 
 // Rows lie anywhere, so those of the next cluster are fetched while this one is made: on a CPU, whose work-items come
 // one after the other. 10^6 rows take 5.4 ms instead of 7.6 on two cores.
-static inline void fetch_rows(SphereRows spheres, global const int* order, int first, int count) {
+static inline void fetch_rows(SphereRows spheres, global const int* ids, global const int* order, int first,
+                              int count) {
 #if CLANG_TO_MACHINE
     for (int place = first; place < min(first + CLUSTER, count); ++place) {
-        const size_t row = (size_t)(spheres.rows + (size_t)max(order[place], 0) * spheres.columns);
+        const size_t i = (size_t)max(order[place], 0), row = (size_t)(spheres.rows + i * spheres.columns);
         __builtin_prefetch((const void*)row);
         __builtin_prefetch((const void*)(row + 4 * sizeof(float) - 1));
+#if IDS
+        __builtin_prefetch((const void*)(size_t)(ids + i));
+#endif
     }
 #endif
 }
@@ -24,7 +28,7 @@ kernel void gather_spheres(global const float* restrict rows, global const float
     if (item >= items) return;
     const SphereRows spheres = {rows, rests, columns};
     global Cluster* to = clusters + item;
-    fetch_rows(spheres, order, (item + 1) * CLUSTER, count);
+    fetch_rows(spheres, ids, order, (item + 1) * CLUSTER, count);
     for (int i = 0; i < CLUSTER; ++i) {
         const int place = item * CLUSTER + i, row = place < count ? order[place] : -1;
         const float4 sphere = row < 0 ? (float4)(0.0f) : row_of(spheres, row);

@@ -1,6 +1,7 @@
 #include "partition.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <future>
@@ -15,7 +16,8 @@ namespace {
 
 constexpr int cell_bits = 5;  // an axis
 constexpr size_t cells = size_t{1} << 3 * cell_bits;
-constexpr int64_t block = 1 << 16;  // rows that are made at a time
+static_assert(cells <= size_t{std::numeric_limits<uint16_t>::max()} + 1);  // Partition::chunk_of holds cells at first
+constexpr int64_t block = 1 << 16;                                         // rows that are made at a time
 
 /// A row with what rounding left over, as the kernels see it.
 struct RowView {
@@ -56,23 +58,25 @@ void in_halves(int64_t count, Work work) {
 class Grid {
   public:
     Grid(const Survey& survey, const Frame& frame) {
+        for (unsigned place = 0; place < apart_.size(); ++place)
+            for (int bit = 0; bit < cell_bits; ++bit) apart_[place] |= (place >> bit & 1) << 3 * bit;
         const Vec3 low = frame.place(survey.low), size = frame.place(survey.high) - low;
         const double lows[] = {low.x, low.y, low.z}, side = std::max({size.x, size.y, size.z});
         std::copy(std::begin(lows), std::end(lows), low_);
         scale_ = side > 0 ? (1 << cell_bits) / side : 0;
     }
     size_t cell(const RowView& r) const {
-        size_t index = 0;
+        unsigned index = 0;
         for (int axis = 0; axis < 3; ++axis) {
             const auto place = static_cast<int>((static_cast<double>(r.row[axis]) - low_[axis]) * scale_);
-            const auto inside = static_cast<unsigned>(std::clamp(place, 0, (1 << cell_bits) - 1));
-            for (int bit = 0; bit < cell_bits; ++bit) index |= size_t{inside >> bit & 1} << (3 * bit + axis);
+            index |= apart_[static_cast<size_t>(std::clamp(place, 0, (1 << cell_bits) - 1))] << axis;
         }
         return index;
     }
 
   private:
     double low_[3], scale_;
+    std::array<unsigned, 1 << cell_bits> apart_{};  // a place's bits with room between them for those of other axes
 };
 
 /// The same for spheres that coincide. Adding 0 makes -0 into 0.
@@ -129,23 +133,27 @@ Cells assign(const std::vector<int64_t>& sizes, int64_t capacity) {
 
 Partition cut_into_chunks(const Scene& scene, const Survey& survey, const Frame& frame, int64_t capacity) {
     const Grid grid(survey, frame);
+    Partition result;
+    result.chunk_of.resize(static_cast<size_t>(survey.count));
     std::vector<int64_t> counts[2] = {std::vector<int64_t>(cells), std::vector<int64_t>(cells)};
     in_halves(survey.count, [&](int64_t first, int64_t last, int half) {
-        for_each_row(scene, frame, first, last, [&](int64_t, const RowView& r) { ++counts[half][grid.cell(r)]; });
+        for_each_row(scene, frame, first, last, [&](int64_t id, const RowView& r) {
+            const size_t cell = grid.cell(r);
+            result.chunk_of[static_cast<size_t>(id)] = static_cast<uint16_t>(cell);
+            ++counts[half][cell];
+        });
     });
     for (size_t cell = 0; cell < cells; ++cell) counts[0][cell] += counts[1][cell];
     const Cells chunks = assign(counts[0], capacity);
     if (chunks.chunks > std::numeric_limits<uint16_t>::max()) too_many(capacity);
-    Partition result;
-    result.chunk_of.resize(static_cast<size_t>(survey.count));
     std::vector<int64_t> sizes[2] = {std::vector<int64_t>(static_cast<size_t>(chunks.chunks)),
                                      std::vector<int64_t>(static_cast<size_t>(chunks.chunks))};
     in_halves(survey.count, [&](int64_t first, int64_t last, int half) {
         for_each_row(scene, frame, first, last, [&](int64_t id, const RowView& r) {
-            const size_t cell = grid.cell(r);
-            const auto parts = static_cast<uint32_t>(chunks.parts[cell]);
-            const int chunk = chunks.first[cell] + static_cast<int>(parts > 1 ? hash_of(r) % parts : 0);
-            result.chunk_of[static_cast<size_t>(id)] = static_cast<uint16_t>(chunk);
+            uint16_t& place = result.chunk_of[static_cast<size_t>(id)];  // the cell until now
+            const auto parts = static_cast<uint32_t>(chunks.parts[place]);
+            const int chunk = chunks.first[place] + static_cast<int>(parts > 1 ? hash_of(r) % parts : 0);
+            place = static_cast<uint16_t>(chunk);
             ++sizes[half][static_cast<size_t>(chunk)];
         });
     });
