@@ -7,6 +7,27 @@
 
 #if CERTIFIED
 
+#if !REAL_IS_DOUBLE
+// Hits of the sphere that graze it get the distance that strict pictures have. They are few, and this works on copies,
+// so that everything else stays in registers.
+static inline void mend_grazed(PencilSphere s, const vec3w* dir, real edge, Hit* hit) {
+    vec3w dirs[PACKETS];
+    Hit hits[PACKETS];
+    FOR_PACKETS(k) {
+        dirs[k] = dir[k];
+        hits[k] = hit[k];
+    }
+    const SphereRests rests = rests_of(s);
+    ONE_PACKET_AT_A_TIME(k) {
+        realw discriminant = sphere_discriminant(s, dirs[k], dot_r(s.center, dirs[k]));
+        const wholew grazes = (hits[k].id == s.id) & is_grazing(discriminant, edge);
+        if (!any_lane(grazes)) continue;
+        hits[k].t = choose(grazes, compensated_root(s, rests, dirs[k], &discriminant), hits[k].t);
+    }
+    FOR_PACKETS(k) hit[k].t = hits[k].t;
+}
+#endif
+
 // As there, but only what bounds settle is a hit; of all else is kept where it may begin.
 static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Bounds* bounds) {
     const Doubt doubt = doubt_of(s, base);
@@ -21,6 +42,10 @@ static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hi
     }
     if (!any_lane(any)) return 0;
     const RootDoubt off = root_doubt(s, doubt);
+#if !REAL_IS_DOUBLE
+    const real edge = grazing_edge(s);
+    wholew any_grazes = 0;
+#endif
 #if REAL_IS_DOUBLE
     bounds->steep = off.plain < INFINITY ? MORE(bounds->steep, off.steep) : bounds->steep;  // else it is nobody's hit
 #endif
@@ -34,7 +59,13 @@ static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hi
         hit[k].t = choose(closer, t, hit[k].t);
         hit[k].id = choose(closer, (wholew)(s.id), hit[k].id);
         hit[k].center = select_w(closer, broadcast(s.center), hit[k].center);
+#if !REAL_IS_DOUBLE
+        any_grazes |= closer & is_grazing(discriminant[k], edge);
+#endif
     }
+#if !REAL_IS_DOUBLE
+    if (UNLIKELY(any_lane(any_grazes))) mend_grazed(s, dir, edge, hit);
+#endif
     return 1;
 }
 

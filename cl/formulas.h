@@ -141,8 +141,9 @@ static inline Root intersect_certified(RootSphere s, vec3w dir) {
     const realw b = dot_r(s.center, dir), discriminant = sphere_discriminant(sphere, dir, b);
     const wholew near = !((discriminant < -doubt.discriminant) | (b < behind));
     const wholew plain = near & (discriminant > root_doubt(sphere, doubt).plain), open = near & !plain;
-    const realw t = choose(plain, sphere_root(sphere, b, discriminant), wide(INFINITY));
-    const Root settled = with_normal(s, dir, t);
+    const vec3w infinite = {wide(INFINITY), wide(INFINITY), wide(INFINITY)};
+    const Root root = intersect_pencil(s, dir);
+    const Root settled = {choose(plain, root.t, wide(INFINITY)), select_w(plain, root.normal, infinite)};
     if (!any_lane(open)) return settled;
     const Root again = intersect_double(s, dir);
     return (Root){choose(open, again.t, settled.t), select_w(open, again.normal, settled.normal)};
