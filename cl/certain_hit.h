@@ -8,23 +8,17 @@
 #if CERTIFIED
 
 #if !REAL_IS_DOUBLE
-// Hits of the sphere that graze it get the distance that strict pictures have. They are few, and this works on copies,
-// so that everything else stays in registers.
+// The few hits of the sphere that graze it get the distance that strict pictures have.
 static inline void mend_grazed(PencilSphere s, const vec3w* dir, real edge, Hit* hit) {
-    vec3w dirs[PACKETS];
-    Hit hits[PACKETS];
-    FOR_PACKETS(k) {
-        dirs[k] = dir[k];
-        hits[k] = hit[k];
-    }
+    Packets own = copies_of(dir, hit);
     const SphereRests rests = rests_of(s);
     ONE_PACKET_AT_A_TIME(k) {
-        realw discriminant = sphere_discriminant(s, dirs[k], dot_r(s.center, dirs[k]));
-        const wholew grazes = (hits[k].id == s.id) & is_grazing(discriminant, edge);
+        realw discriminant = sphere_discriminant(s, own.dir[k], dot_r(s.center, own.dir[k]));
+        const wholew grazes = (own.hit[k].id == s.id) & is_grazing(discriminant, edge);
         if (!any_lane(grazes)) continue;
-        hits[k].t = choose(grazes, compensated_root(s, rests, dirs[k], &discriminant), hits[k].t);
+        own.hit[k].t = choose(grazes, compensated_root(s, rests, own.dir[k], &discriminant), own.hit[k].t);
     }
-    FOR_PACKETS(k) hit[k].t = hits[k].t;
+    FOR_PACKETS(k) hit[k].t = own.hit[k].t;
 }
 #endif
 

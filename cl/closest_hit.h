@@ -23,6 +23,21 @@ static inline Hit no_hit(void) {
     return hit;
 }
 
+// Copies of what packets have, for a loop over them that is not unrolled: so everything else stays in registers.
+typedef struct {
+    vec3w dir[PACKETS];
+    Hit hit[PACKETS];
+} Packets;
+
+static inline Packets copies_of(const vec3w* dir, const Hit* hit) {
+    Packets copies;
+    FOR_PACKETS(k) {
+        copies.dir[k] = dir[k];
+        copies.hit[k] = hit[k];
+    }
+    return copies;
+}
+
 #if !CERTIFIED
 
 // Whether a sphere that the rays meet could be closer to one of them than what they hit so far: no root is nearer than
@@ -44,26 +59,20 @@ static inline void keep_closer(PencilSphere s, wholew meets, realw t, Hit* hit) 
     hit->center = select_w(closer, broadcast(s.center), hit->center);
 }
 
-// The rays that may graze the sphere, as `intersect` leaves them. They are few, and this works on copies, so that
-// everything else stays in registers.
+// The few rays that may graze the sphere, as `intersect` leaves them.
 static inline int intersect_grazed(PencilSphere s, const vec3w* dir, Hit* hit) {
-    vec3w dirs[PACKETS];
-    Hit hits[PACKETS];
-    FOR_PACKETS(k) {
-        dirs[k] = dir[k];
-        hits[k] = hit[k];
-    }
+    Packets own = copies_of(dir, hit);
     const SphereRests rests = rests_of(s);
     const real edge = grazing_edge(s);
     ONE_PACKET_AT_A_TIME(k) {
-        const realw b = dot_r(s.center, dirs[k]);
-        realw discriminant = sphere_discriminant(s, dirs[k], b);
+        const realw b = dot_r(s.center, own.dir[k]);
+        realw discriminant = sphere_discriminant(s, own.dir[k], b);
         const wholew grazes = may_meet(s, b, discriminant, edge) & is_grazing(discriminant, edge);
-        if (!any_lane(grazes) || !may_be_closer(grazes, b, s.reach, hits[k])) continue;
-        const realw t = compensated_root(s, rests, dirs[k], &discriminant);
-        keep_closer(s, grazes & (discriminant >= 0.0f), t, hits + k);
+        if (!any_lane(grazes) || !may_be_closer(grazes, b, s.reach, own.hit[k])) continue;
+        const realw t = compensated_root(s, rests, own.dir[k], &discriminant);
+        keep_closer(s, grazes & (discriminant >= 0.0f), t, own.hit + k);
     }
-    FOR_PACKETS(k) hit[k] = hits[k];
+    FOR_PACKETS(k) hit[k] = own.hit[k];
     return 1;
 }
 
