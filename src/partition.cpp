@@ -16,8 +16,9 @@ namespace {
 
 constexpr int cell_bits = 5;  // an axis
 constexpr size_t cells = size_t{1} << 3 * cell_bits;
-static_assert(cells <= size_t{std::numeric_limits<uint16_t>::max()} + 1);  // Partition::chunk_of holds cells at first
-constexpr int64_t block = 1 << 16;                                         // rows that are made at a time
+// Partition::chunk_of holds cells at first.
+static_assert(cells <= size_t{std::numeric_limits<uint16_t>::max()} + 1);
+constexpr int64_t block = 1 << 16;  // rows that are made at a time
 
 /// A row with what rounding left over, as the kernels see it.
 struct RowView {
@@ -100,6 +101,11 @@ uint32_t hash_of(const RowView& r) {
 struct Cells {
     std::vector<int> first = std::vector<int>(cells), parts = std::vector<int>(cells, 1);
     int chunks = 0;
+
+    /// Whether some cell's spheres go to several chunks, by their hashes.
+    bool any_cut() const {
+        return std::any_of(parts.begin(), parts.end(), [](int n) { return n > 1; });
+    }
 };
 
 /// Cells in their order, as many to a chunk as fit; one that holds more is cut so that its parts are about half full.
@@ -124,6 +130,22 @@ Cells assign(const std::vector<int64_t>& sizes, int64_t capacity) {
     return result;
 }
 
+/// How many spheres lie in each cell; `cell_of` gets that of each id.
+std::vector<int64_t> count_cells(const Scene& scene, const Survey& survey, const Frame& frame,
+                                 std::vector<uint16_t>& cell_of) {
+    const Grid grid(survey, frame);
+    std::vector<int64_t> counts[2] = {std::vector<int64_t>(cells), std::vector<int64_t>(cells)};
+    in_halves(survey.count, [&](int64_t first, int64_t last, int half) {
+        for_each_row(scene, frame, first, last, [&](int64_t id, const RowView& r) {
+            const size_t cell = grid.cell(r);
+            cell_of[static_cast<size_t>(id)] = static_cast<uint16_t>(cell);
+            ++counts[half][cell];
+        });
+    });
+    for (size_t cell = 0; cell < cells; ++cell) counts[0][cell] += counts[1][cell];
+    return counts[0];
+}
+
 [[noreturn]] void too_many(int64_t capacity) {
     throw Error(Blame::run, "more spheres lie in one place than the " + std::to_string(capacity) + " that fit a chunk",
                 "", "allow more memory (--memory), or use a device with more");
@@ -132,30 +154,24 @@ Cells assign(const std::vector<int64_t>& sizes, int64_t capacity) {
 }  // namespace
 
 Partition cut_into_chunks(const Scene& scene, const Survey& survey, const Frame& frame, int64_t capacity) {
-    const Grid grid(survey, frame);
     Partition result;
     result.chunk_of.resize(static_cast<size_t>(survey.count));
-    std::vector<int64_t> counts[2] = {std::vector<int64_t>(cells), std::vector<int64_t>(cells)};
-    in_halves(survey.count, [&](int64_t first, int64_t last, int half) {
-        for_each_row(scene, frame, first, last, [&](int64_t id, const RowView& r) {
-            const size_t cell = grid.cell(r);
-            result.chunk_of[static_cast<size_t>(id)] = static_cast<uint16_t>(cell);
-            ++counts[half][cell];
-        });
-    });
-    for (size_t cell = 0; cell < cells; ++cell) counts[0][cell] += counts[1][cell];
-    const Cells chunks = assign(counts[0], capacity);
+    const Cells chunks = assign(count_cells(scene, survey, frame, result.chunk_of), capacity);
     if (chunks.chunks > std::numeric_limits<uint16_t>::max()) too_many(capacity);
     std::vector<int64_t> sizes[2] = {std::vector<int64_t>(static_cast<size_t>(chunks.chunks)),
                                      std::vector<int64_t>(static_cast<size_t>(chunks.chunks))};
     in_halves(survey.count, [&](int64_t first, int64_t last, int half) {
-        for_each_row(scene, frame, first, last, [&](int64_t id, const RowView& r) {
+        const auto put = [&](int64_t id, const RowView* row) {
             uint16_t& place = result.chunk_of[static_cast<size_t>(id)];  // the cell until now
             const auto parts = static_cast<uint32_t>(chunks.parts[place]);
-            const int chunk = chunks.first[place] + static_cast<int>(parts > 1 ? hash_of(r) % parts : 0);
+            const int chunk = chunks.first[place] + static_cast<int>(parts > 1 ? hash_of(*row) % parts : 0);
             place = static_cast<uint16_t>(chunk);
             ++sizes[half][static_cast<size_t>(chunk)];
-        });
+        };
+        if (chunks.any_cut())
+            for_each_row(scene, frame, first, last, [&](int64_t id, const RowView& r) { put(id, &r); });
+        else
+            for (int64_t id = first; id < last; ++id) put(id, nullptr);
     });
     for (size_t chunk = 0; chunk < sizes[0].size(); ++chunk) {
         result.sizes.push_back(sizes[0][chunk] + sizes[1][chunk]);

@@ -18,8 +18,8 @@ struct Partition {
 };
 
 /// Chunks of no more than `capacity` spheres, in the order of Morton's curve through a grid; where a cell of that holds
-/// more, it is cut by a hash of the spheres. Two passes over the spheres. Throws Error(Blame::run) when more spheres
-/// coincide than fit a chunk.
+/// more, it is cut by a hash of the spheres. One pass over the spheres, two where a cell is cut. Throws
+/// Error(Blame::run) when more spheres coincide than fit a chunk.
 Partition cut_into_chunks(const Scene& scene, const Survey& survey, const Frame& frame, int64_t capacity);
 
 /// The rows of one chunk, with their ids, in the order of these. `rows` may hold those of another: its memory is used.
