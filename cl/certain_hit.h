@@ -25,23 +25,21 @@ static inline void mend_grazed(PencilSphere s, const vec3w* dir, real edge, Hit*
 // As there, but only what bounds settle is a hit; of all else is kept where it may begin.
 static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Bounds* bounds) {
     const Doubt doubt = doubt_of(s, base);
-    const real behind = surely_outside(s, doubt.power) ? -doubt.shift : -INFINITY;
     realw b[PACKETS], discriminant[PACKETS];
     wholew near[PACKETS], any = 0;
     FOR_PACKETS(k) {
         b[k] = dot_r(s.center, dir[k]);
         discriminant[k] = sphere_discriminant(s, dir[k], b[k]);
-        near[k] = !((discriminant[k] < -doubt.discriminant) | (b[k] < behind));
+        near[k] = may_be_met(s, doubt, b[k], discriminant[k]);
         any |= near[k];
     }
     if (!any_lane(any)) return 0;
     const RootDoubt off = root_doubt(s, doubt);
-#if !REAL_IS_DOUBLE
-    const real edge = grazing_edge(s);
-    wholew any_grazes = 0;
-#endif
 #if REAL_IS_DOUBLE
     bounds->steep = off.plain < INFINITY ? MORE(bounds->steep, off.steep) : bounds->steep;  // else it is nobody's hit
+#else
+    const real edge = grazing_edge(s);
+    wholew any_grazes = 0;
 #endif
     const real kept = 1 - LESS(1.0625f * STEEPEST * bounds->steep, MOST_OFF);  // of t, at least
     FOR_PACKETS(k) {

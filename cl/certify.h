@@ -70,6 +70,12 @@ static inline real power_doubt(PencilSphere s, real distance, real radius, real 
 static inline int surely_outside(PencilSphere s, real power_off) { return s.power > 2 * power_off; }
 static inline int surely_inside(PencilSphere s, real power_off) { return -s.power > 2 * power_off; }
 
+// Where it is not sure that the sphere is missed: D may be 0 or above and, from outside, the centre may lie ahead.
+static inline wholew may_be_met(PencilSphere s, Doubt doubt, realw b, realw discriminant) {
+    const real behind = surely_outside(s, doubt.power) ? -doubt.shift : -INFINITY;
+    return !((discriminant < -doubt.discriminant) | (b < behind));
+}
+
 // Seen from the eye, whose place is off by `base`.
 static inline Doubt doubt_of(PencilSphere s, real base) {
     const real distance = distance_of(s), radius = radius_of(s);

@@ -137,9 +137,8 @@ static inline Root intersect_double(RootSphere s, vec3w dir) {
 static inline Root intersect_certified(RootSphere s, vec3w dir) {
     const PencilSphere sphere = pencil_sphere(s);
     const Doubt doubt = doubt_of(sphere, 0);
-    const real behind = surely_outside(sphere, doubt.power) ? -doubt.shift : -INFINITY;
     const realw b = dot_r(s.center, dir), discriminant = sphere_discriminant(sphere, dir, b);
-    const wholew near = !((discriminant < -doubt.discriminant) | (b < behind));
+    const wholew near = may_be_met(sphere, doubt, b, discriminant);
     const wholew plain = near & (discriminant > root_doubt(sphere, doubt).plain), open = near & !plain;
     const vec3w infinite = {wide(INFINITY), wide(INFINITY), wide(INFINITY)};
     const Root root = intersect_pencil(s, dir);
