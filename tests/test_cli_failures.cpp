@@ -27,7 +27,7 @@ std::string long_scene() {
     for (int i = 0; i < 40000; ++i)
         spheres += (i ? ",\n" : "\n") + ("{\"center\": [" + std::to_string(i % 200 - 100) + ", ") +
                    std::to_string(i / 200 - 100) + ", 100], \"radius\": 0.6, \"albedo\": [1, 1, 1]}";
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 64; ++i)
         lights += (i ? "," : "") + std::string(R"({"type": "point", "position": [0, 0, -5], "power": [1, 1, 1]})");
     return R"({"image": {"width": 4096, "height": 4096},
                "camera": {"eye": [0, 0, 0], "at": [0, 0, 1], "up": [0, 1, 0], "fov": 90},
