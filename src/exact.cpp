@@ -69,10 +69,9 @@ class Attempt {
     Attempt(const Scene& scene, const std::vector<Sphere>& spheres, bool shadows, bool last)
         : scene_(scene), spheres_(spheres), shadows_(shadows), last_(last) {}
 
-    Pixel look(int i, int j, const std::vector<int32_t>& candidates) const {
+    Pixel look(const Vector& dir, const std::vector<int32_t>& candidates) const {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         Pixel pixel{-1, infinity, {infinity, infinity, infinity}, {0, 0, 0}, 0};
-        const Vector dir = eye_ray(scene_, i, j);
         const std::optional<Hit> hit = closest_hit(dir, candidates);
         if (!hit) return pixel;
         const Sphere& sphere = spheres_[static_cast<size_t>(hit->id)];
@@ -170,6 +169,13 @@ bool may_meet(const Sphere& s, const Vec3& p, const Vec3& d) {
     return !(m > s.radius + slack);  // NaN may
 }
 
+std::vector<int32_t> near_line(const std::vector<Sphere>& spheres, const Vec3& p, const Vec3& d) {
+    std::vector<int32_t> near;
+    for (size_t s = 0; s < spheres.size(); ++s)
+        if (may_meet(spheres[s], p, d)) near.push_back(static_cast<int32_t>(s));
+    return near;
+}
+
 template <class StandsBetween>
 bool Attempt::is_shadowed(const Hit& hit, const Vector& position, const Vector& l, StandsBetween stands_between) const {
     if (!shadows_) return false;
@@ -192,15 +198,13 @@ Decider::Decider(const Scene& scene, bool shadows) : scene_(scene), shadows_(sha
 }
 
 Pixel Decider::decide(int i, int j) const {
-    Interval::default_precision(static_cast<unsigned>(digits(128)));
-    const Vec3 dir = middle(eye_ray(scene_, i, j));
     std::vector<int32_t> candidates;
-    for (size_t s = 0; s < spheres_.size(); ++s)
-        if (may_meet(spheres_[s], scene_.camera.eye, dir)) candidates.push_back(static_cast<int32_t>(s));
-    for (int bits = 128;; bits *= 2) {
+    for (int bits = least_bits;; bits *= 2) {
         Interval::default_precision(static_cast<unsigned>(digits(bits)));
+        const Vector dir = eye_ray(scene_, i, j);
+        if (bits == least_bits) candidates = near_line(spheres_, scene_.camera.eye, middle(dir));
         try {
-            Pixel pixel = Attempt(scene_, spheres_, shadows_, bits >= most_bits).look(i, j, candidates);
+            Pixel pixel = Attempt(scene_, spheres_, shadows_, bits >= most_bits).look(dir, candidates);
             pixel.bits = bits;
             return pixel;
         } catch (const Unsettled&) {

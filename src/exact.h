@@ -21,6 +21,8 @@ struct Pixel {
 /// A quantity that this many bits do not tell from 0 counts as 0: they would tell apart whatever does not cancel to
 /// more than 60 times the precision in which scenes are given.
 constexpr int most_bits = 4096;
+/// What a decision is tried with first.
+constexpr int least_bits = 128;
 
 /// Decides pixels of one scene. The scene must outlive it.
 class Decider {

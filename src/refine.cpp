@@ -27,9 +27,10 @@ Vec3 three(const std::vector<real>& values, int k) {
 }
 
 template <class T>
-void read(const cl::CommandQueue& queue, const cl::Buffer& buffer, size_t count, std::vector<T>& values) {
+void read(const cl::CommandQueue& queue, const std::vector<cl::Event>& after, const cl::Buffer& buffer, size_t count,
+          std::vector<T>& values) {
     values.resize(count);
-    queue.enqueueReadBuffer(buffer, CL_FALSE, 0, count * sizeof(T), values.data());
+    queue.enqueueReadBuffer(buffer, CL_FALSE, 0, count * sizeof(T), values.data(), &after);
 }
 
 }  // namespace
@@ -87,9 +88,6 @@ void Refinement::trace(const cl::Buffer& places, int first, int count) {
         binder_.bind(kernel, {step, tile, tile_, 0, 0, &spheres});
         launch(step, built, kernel, plan_.items(step.kernel, tile));
     }
-    queue_.finish();
-    last_.clear();
-    launches_.measure_all();
 }
 
 template <class real>
@@ -97,14 +95,14 @@ void Refinement::write(const int* pixels, int count, std::vector<int>& undecided
     const size_t rays = (static_cast<size_t>(count) + BLOCK_RAYS - 1) / BLOCK_RAYS * BLOCK_RAYS;
     const bool shaded = plan_.uses(Kernel::shade_light);
     Traced<real> traced;
-    read(queue_, tile_.ts, rays, traced.ts);
-    read(queue_, tile_.normals, 3 * rays, traced.normals);
-    std::vector<uint32_t> open;
-    undecided_.read(queue_, open);
-    read(queue_, tile_.ids, rays, traced.ids);
-    if (shaded) read(queue_, tile_.radiance, 3 * rays, traced.radiance);
+    read(queue_, last_, tile_.ts, rays, traced.ts);
+    read(queue_, last_, tile_.normals, 3 * rays, traced.normals);
+    read(queue_, last_, tile_.ids, rays, traced.ids);
+    if (shaded) read(queue_, last_, tile_.radiance, 3 * rays, traced.radiance);
+    for (const int ray : undecided_.read(queue_, last_)) undecided.push_back(pixels[ray]);
     queue_.finish();
-    for (const int ray : undecided_rays(open)) undecided.push_back(pixels[ray]);
+    last_.clear();
+    launches_.measure_all();
     for (int k = 0; k < count; ++k) {
         const Vec3 radiance = shaded ? three(traced.radiance, k) : Vec3{0, 0, 0};
         put(film_, static_cast<size_t>(pixels[k]),

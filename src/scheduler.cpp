@@ -63,7 +63,6 @@ Measured Scheduler::run(TileQueue& tiles, const std::vector<cl::Event>& after,
                         const std::function<void(double)>& progress, const DealAll& deal_all) {
     tiles_ = &tiles;
     std::vector<int> hits(static_cast<size_t>(groups_));
-    std::vector<uint32_t> undecided;
     // Commands under way write into the film and the counts: never leave before they have ended.
     struct Finish {
         Scheduler& scheduler;
@@ -83,10 +82,9 @@ Measured Scheduler::run(TileQueue& tiles, const std::vector<cl::Event>& after,
     else
         run_ahead(progress);
     queue_.enqueueReadBuffer(hit_counts_, CL_FALSE, 0, hits.size() * sizeof(int), hits.data());
-    if (plan_.certified) undecided_.read(queue_, undecided);
     if (plan_.write_in_place) map_film();
+    if (plan_.certified) measured_.undecided = pixels_of(undecided_.read(queue_), plan_.tiles, plan_.image);
     queue_.finish();
-    measured_.undecided = undecided_pixels(undecided, plan_.tiles, plan_.image);
     measured_.hits = std::accumulate(hits.begin(), hits.end(), int64_t{0});
     return measured_;
 }

@@ -12,6 +12,15 @@ int pixel_of(int ray, const Tile& tile, const ImageSize& image) {
     return j * image.width + i;
 }
 
+/// Of those that are set, in order.
+std::vector<int> places_of_bits(const uint32_t* words, size_t count) {
+    std::vector<int> places;
+    for (size_t word = 0; word < count; ++word)
+        for (uint32_t rest = words[word]; rest != 0; rest &= rest - 1)
+            places.push_back(static_cast<int>(32 * word) + __builtin_ctz(rest));
+    return places;
+}
+
 }  // namespace
 
 UndecidedRays::UndecidedRays(const DeviceMemory& memory, const Plan& plan, int blocks)
@@ -27,25 +36,20 @@ void UndecidedRays::clear(const cl::CommandQueue& queue, std::vector<cl::Event>&
     if (adds_up_) queue.enqueueFillBuffer(doubts_, uint32_t{0}, 0, doubts_bytes_, nullptr, &busy.emplace_back());
 }
 
-void UndecidedRays::read(const cl::CommandQueue& queue, std::vector<uint32_t>& words) const {
-    words.resize(bytes_ / sizeof(uint32_t));
-    queue.enqueueReadBuffer(words_, CL_FALSE, 0, bytes_, words.data());
-}
-
-std::vector<int> undecided_rays(const std::vector<uint32_t>& words) {
-    std::vector<int> rays;
-    for (size_t word = 0; word < words.size(); ++word)
-        for (uint32_t rest = words[word], bit = 0; rest != 0; rest >>= 1, ++bit)
-            if (rest & 1) rays.push_back(static_cast<int>(32 * word + bit));
+std::vector<int> UndecidedRays::read(const cl::CommandQueue& queue, const std::vector<cl::Event>& after) const {
+    // Mapped: where the device shares the host's memory nothing is copied.
+    void* mapped = queue.enqueueMapBuffer(words_, CL_TRUE, CL_MAP_READ, 0, bytes_, &after);
+    std::vector<int> rays = places_of_bits(static_cast<const uint32_t*>(mapped), bytes_ / sizeof(uint32_t));
+    queue.enqueueUnmapMemObject(words_, mapped);
     return rays;
 }
 
-std::vector<int> undecided_pixels(const std::vector<uint32_t>& words, const std::vector<Tile>& tiles,
-                                  const ImageSize& image) {
+std::vector<int> pixels_of(const std::vector<int>& rays, const std::vector<Tile>& tiles, const ImageSize& image) {
     std::vector<int> pixels;
+    pixels.reserve(rays.size());
     auto tile = tiles.begin();
     int first = 0;  // of the tile's rays
-    for (const int ray : undecided_rays(words)) {
+    for (const int ray : rays) {
         for (; ray - first >= tile->blocks * BLOCK_RAYS; ++tile) first += tile->blocks * BLOCK_RAYS;
         pixels.push_back(pixel_of(ray - first, *tile, image));
     }

@@ -18,8 +18,8 @@ class UndecidedRays {
 
     /// Sets none; `busy` then holds the end of it too.
     void clear(const cl::CommandQueue& queue, std::vector<cl::Event>& busy) const;
-    /// As `words` once what the queue holds has ended; does not wait for that.
-    void read(const cl::CommandQueue& queue, std::vector<uint32_t>& words) const;
+    /// Those that are set, in order, once all of `after` has ended; waits for that.
+    std::vector<int> read(const cl::CommandQueue& queue, const std::vector<cl::Event>& after = {}) const;
 
     const cl::Buffer& words() const { return words_; }
     /// Two reals each for Plan::doubt_rays (cl/certify.h).
@@ -34,11 +34,7 @@ class UndecidedRays {
     cl::Buffer words_, doubts_;
 };
 
-/// The rays that are set, in order.
-std::vector<int> undecided_rays(const std::vector<uint32_t>& words);
-/// Their pixels, as places in the image row by row, of rays that the tiles have one after the other. Pixels outside the
-/// image are decided.
-std::vector<int> undecided_pixels(const std::vector<uint32_t>& words, const std::vector<Tile>& tiles,
-                                  const ImageSize& image);
+/// The pixels of rays that the tiles have one after the other, as places in the image row by row.
+std::vector<int> pixels_of(const std::vector<int>& rays, const std::vector<Tile>& tiles, const ImageSize& image);
 
 }  // namespace gnomon
