@@ -76,15 +76,14 @@ static inline realw certainly_unshadowed(Hits hits, LightPencil light, ShadowRay
 // As `occlude`, for hits of the group, where that is certain; where it is not, `unsure` says so.
 static inline int certainly_occlude(PencilSphere s, const ShadowRay* ray, Edge edge, const wholew* id,
                                     const wholew* group, wholew* unsure, realw* share) {
-    wholew may[PACKETS], any = 0, changed = 0;
-    FOR_PACKETS(k) {
-        may[k] = group[k] & (share[k] > 0.0f) & (id[k] != s.id) & !surely_clear(meeting(s, ray[k]), edge);
-        any |= may[k];
-    }
+    wholew any = 0, changed = 0;
+    FOR_PACKETS(k) any |= group[k] & (share[k] > 0.0f) & (id[k] != s.id) & line_may_meet(s, ray[k], edge);
     if (!any_lane(any)) return 0;
     FOR_PACKETS(k) {
-        const wholew closes = may[k] & surely_met(meeting(s, ray[k]), edge);
-        unsure[k] |= may[k] & !closes;
+        const Meeting at = meeting(s, ray[k]);
+        const wholew may = group[k] & (share[k] > 0.0f) & (id[k] != s.id) & !surely_clear(at, edge);
+        const wholew closes = may & surely_met(at, edge);
+        unsure[k] |= may & !closes;
         share[k] = choose(closes, wide(0.0f), share[k]);
         changed |= closes;
     }

@@ -54,6 +54,11 @@ static inline wholew surely_clear(Meeting at, Edge edge) {
     return (at.discriminant < wide(-edge.off)) | (at.farther < wide(-2 * edge.off));
 }
 
+// Whether the line of the ray may meet the sphere: where it does not, the ray is surely clear.
+static inline wholew line_may_meet(PencilSphere s, ShadowRay ray, Edge edge) {
+    return !(disc_discriminant(s, ray) < wide(-edge.off));
+}
+
 // Where it is open whether the surface faces the light.
 static inline wholew may_face(LightPencil light, ShadowRay ray, vec3w position, vec3w normal, LightDoubt doubt) {
     return !(fabs(dot_r(light.axis, normal)) > wide(doubt.facing));

@@ -103,6 +103,12 @@ static inline wholew surely_clear(Meeting at, Edge edge) {
     return edge.inside ? at.power < wide(-edge.before) : at.discriminant < wide(-edge.discriminant);
 }
 
+// Whether the line of the ray may meet the sphere: where it does not, the ray is surely clear.
+static inline wholew line_may_meet(PencilSphere s, ShadowRay ray, Edge edge) {
+    if (edge.inside) return (wholew)(-1);
+    return !(sphere_discriminant(s, ray.dir, dot_r(s.center, ray.dir)) < wide(-edge.discriminant));
+}
+
 // Where it is open whether the surface faces the light: (o - p) . n is off by the normal's doubt and 8 u, times the
 // way, and by the way's.
 static inline wholew may_face(LightPencil light, ShadowRay ray, vec3w position, vec3w normal, LightDoubt doubt) {
