@@ -1,21 +1,40 @@
 // The hierarchy over the spheres, from the top down: nodes of 16 children, each a node or, on the lowest level, a
 // cluster. Its depth follows from the number of spheres alone, so the stack cannot overrun. Whoever includes this says
-// with FAT and NODE_CANDIDATES what is traced: a type, and the function that gives the candidates of a node.
+// with FAT, NODE_CANDIDATES and BALL_CANDIDATES what is traced: a type, and the functions that give the candidates of a
+// node and of a cluster of balls.
 #ifndef GNOMON_HIERARCHY_H
 #define GNOMON_HIERARCHY_H
 
 #include "cluster.h"
 
-// Spheres as one pencil sees them: clusters, and `levels` levels of nodes over them, the last node being the root. Few
-// clusters are visited one after the other (-D WALK=WALK_CLUSTERS or WALK_SPHERES, else WALK_NODES): there are no
-// nodes, and `last` is the last cluster.
+// Spheres as one pencil sees them: clusters, and `levels` levels of nodes over them, the last node being the root. Over
+// few spheres (-D WALK=WALK_CLUSTERS) there are no nodes but, on one level or none, balls: the last cluster, of one
+// around each of the others. With WALK_SPHERES all clusters, to the last, are visited one after the other.
 typedef struct {
     global const PencilCluster* clusters;
     global const Node* nodes;
     int levels, last;
 } Hierarchy;
 
-#if WALK != WALK_NODES
+#if WALK == WALK_CLUSTERS
+
+// Which clusters are still to be visited.
+typedef struct {
+    int rest;
+} Traversal;
+
+static inline Traversal begin(Hierarchy h, FAT fat) {
+    if (!h.levels) return (Traversal){(2 << h.last) - 1};
+    const int all = (1 << h.last) - 1;  // empty places may be candidates too
+    return (Traversal){all & BALL_CANDIDATES(fat, h.clusters + h.last)};
+}
+static inline int next_cluster(Hierarchy h, Traversal* t, FAT fat) {
+    const int rest = t->rest;
+    t->rest = rest & (rest - 1);
+    return rest ? lowest_bit(rest) : -1;
+}
+
+#elif WALK == WALK_SPHERES
 
 typedef struct {
     int next;

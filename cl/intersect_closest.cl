@@ -16,6 +16,7 @@
 
 #define FAT FatRay
 #define NODE_CANDIDATES node_candidates
+#define BALL_CANDIDATES candidates
 #include "hierarchy.h"
 
 static inline void store_misses(global real* ts, global real* normals, global int* ids, int item) {

@@ -99,6 +99,11 @@ static inline int shadow_candidates(FatShadowRay fat, global const PencilCluster
     return kept;
 }
 
+// The same for balls around clusters.
+static inline int shadow_ball_candidates(FatShadowRay fat, global const PencilCluster* c) {
+    return shadow_candidates(fat, c);
+}
+
 // The same for the children of a node.
 static inline int shadow_node_candidates(FatShadowRay fat, global const Node* n) {
     int kept = 0;

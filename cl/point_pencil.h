@@ -106,6 +106,13 @@ static inline FatShadowRay fat_shadow_ray(LightPencil light, int face, const Sha
 }
 
 static inline int shadow_candidates(FatShadowRay fat, global const PencilCluster* c) { return candidates(fat, c); }
+// Certified pictures say more exactly, sphere by sphere, what is too far (point_doubt.h).
+static inline int shadow_ball_candidates(FatShadowRay fat, global const PencilCluster* c) {
+#if CERTIFIED
+    fat.distance = INFINITY;
+#endif
+    return candidates(fat, c);
+}
 static inline int shadow_node_candidates(FatShadowRay fat, global const Node* n) { return node_candidates(fat, n); }
 
 #endif

@@ -18,6 +18,10 @@
 // |f| < r hold the apex; seen from there nothing is farther than 2 r, and the same holds with r for |f|.
 // In a parallel pencil occludes() accepts rays that pass at most 8 u max(|c|, r) outside, and the sums round once.
 //
+// A ball around a cluster (flat_clusters.cpp), of centre F and radius R, is passed over in the same way, and with it
+// the spheres inside, whose max(|f|, r) is at most |F| + R. It is larger by 2^-14 R, 1024 u R, than they need: with the
+// 128 u |F| of its own reach these are as clear of the rays as if they had been tested themselves.
+//
 // All of this holds where reals are doubles too: exact tests then accept less, and bounds are floats as before, of
 // which some were rounded once more. These are, in the same units: the radius and the distance of which reach is made,
 // 1 each; the centre, 1; a ray's direction, 1; and the farthest t or distance (at most |f| + r) 2 or, in a parallel

@@ -8,6 +8,7 @@
 
 #define FAT FatShadowRay
 #define NODE_CANDIDATES shadow_node_candidates
+#define BALL_CANDIDATES shadow_ball_candidates
 #include "hierarchy.h"
 
 // What intersect_closest wrote, with the rays that it read.

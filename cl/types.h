@@ -15,7 +15,7 @@
 #define LIGHT_POINT 1
 
 // How rays meet the spheres: all of them, one by one (but for the eye's rays, whose fat ray costs next to nothing);
-// those of each cluster that their fat ray (fat_ray.h) may meet; those of each cluster that the nodes above it do not
+// those that their fat ray (fat_ray.h) may meet, of each cluster that a ball around it, or the nodes above it, do not
 // rule out.
 #define WALK_SPHERES 0
 #define WALK_CLUSTERS 1

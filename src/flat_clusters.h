@@ -14,8 +14,9 @@ struct FlatClusters {
     std::vector<ClusterRest> rests;
 };
 
-/// In the order of their ids, with an empty place for a sphere that coincides with one of a lower id. For so few, to
-/// build the kernels that do this would take longer than all else that has to be built.
+/// At most flat_spheres, neighbours together and large ones apart. Of coincident spheres the one of the lowest id
+/// stands for all. Of the balls around clusters, if there are any, another cluster is made. For so few, to build the
+/// kernels that do this would take longer than all else that has to be built.
 FlatClusters flat_clusters(const SphereRows& rows);
 
 }  // namespace gnomon

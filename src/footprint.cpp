@@ -11,7 +11,7 @@ namespace {
 constexpr int64_t word = 4;
 
 int64_t nodes_of(int64_t spheres) { return hierarchy_over(spheres).all_nodes(); }
-int64_t clusters_of(int64_t spheres) { return hierarchy_over(spheres).clusters; }
+int64_t clusters_of(int64_t spheres) { return hierarchy_over(spheres).all_clusters(); }
 
 /// Clusters as a pencil sees them.
 int64_t seen(int64_t spheres, int real_bytes) {

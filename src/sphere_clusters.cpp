@@ -130,13 +130,13 @@ ClusterBuffers SphereKernels::gather(const RowBuffers& rows, const Survey& surve
 
 SphereBuffers SphereKernels::project(const ClusterBuffers& spheres, const PencilView& view) {
     const HierarchyShape& shape = spheres.shape;
-    const auto room = [&](auto real) { return memory_.room<PencilClusterOf<decltype(real)>>(shape.clusters); };
+    const auto room = [&](auto real) { return memory_.room<PencilClusterOf<decltype(real)>>(shape.all_clusters()); };
     SphereBuffers result{with_real(plan_.accuracy, room), {}, shape.levels(), shape.last()};
     result.nodes = memory_.room<Node>(static_cast<int64_t>(view.faces.size()) * shape.all_nodes());
     launcher_.branch();
-    launcher_.launch(sphere_variant(Kernel::project_spheres, plan_.accuracy, spheres.has_rests), shape.clusters,
+    launcher_.launch(sphere_variant(Kernel::project_spheres, plan_.accuracy, spheres.has_rests), shape.all_clusters(),
                      plan_.local_size, spheres.clusters, spheres.rests, view.apex, view.parallel,
-                     view.is_parallel ? 1 : 0, shape.clusters, result.clusters);
+                     view.is_parallel ? 1 : 0, shape.all_clusters(), result.clusters);
     if (!shape.is_flat()) bound(result, shape, view);
     return result;
 }

@@ -59,8 +59,7 @@ class SphereKernels {
     SphereKernels(const DeviceMemory& memory, Launcher& launcher, const Plan& plan)
         : memory_(memory), launcher_(launcher), plan_(plan) {}
 
-    /// Spheres in clusters, in the order of their ids, for a scene that is flat. Coincident spheres count as one: the
-    /// lowest id stands for all.
+    /// Spheres in clusters, for a scene that is flat. Coincident spheres count as one: the lowest id stands for all.
     ClusterBuffers copy_few(const SphereRows& rows);
     /// Likewise, but sorted for a hierarchy.
     ClusterBuffers gather(const RowBuffers& rows, const Survey& survey, const Frame& frame);

@@ -56,9 +56,9 @@ class DeviceSpheres {
         plan_.accuracy = accuracy_of<real>;
         const SphereBuffers seen = SphereKernels(memory_, launcher_, plan_).project(buffers, view);
         const HierarchyShape& shape = buffers.shape;
-        return {read_back<PencilClusterOf<real>>(bench_, seen.clusters, static_cast<size_t>(shape.clusters)),
+        return {read_back<PencilClusterOf<real>>(bench_, seen.clusters, static_cast<size_t>(shape.all_clusters())),
                 read_back<Node>(bench_, seen.nodes, view.faces.size() * static_cast<size_t>(shape.all_nodes())),
-                seen.levels, seen.last, seen.levels > 0 ? "WALK_NODES" : "WALK_CLUSTERS"};
+                seen.levels, seen.last, shape.is_flat() ? "WALK_CLUSTERS" : "WALK_NODES"};
     }
     std::vector<Cluster> clusters() const {
         return read_back<Cluster>(bench_, buffers.clusters, static_cast<size_t>(buffers.shape.clusters));
@@ -97,9 +97,10 @@ struct GuardedSpheres {
     }
 };
 
-/// By brute force: every ray against every sphere, without bounds and nodes.
+/// By brute force: every ray against every sphere, without bounds, nodes and balls.
 template <class real>
 PencilSpheresOf<real> brute(PencilSpheresOf<real> spheres) {
+    if (spheres.walk == "WALK_CLUSTERS" && spheres.levels > 0) spheres.clusters.pop_back();
     spheres.levels = 0;
     spheres.last = static_cast<int>(spheres.clusters.size()) - 1;
     spheres.walk = "WALK_SPHERES";
