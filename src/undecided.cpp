@@ -1,5 +1,9 @@
 #include "undecided.h"
 
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
 namespace gnomon {
 
 namespace {
@@ -12,12 +16,17 @@ int pixel_of(int ray, const Tile& tile, const ImageSize& image) {
     return j * image.width + i;
 }
 
-/// Of those that are set, in order.
+/// Of those that are set, in order. Few are: words are looked at by the cache line.
 std::vector<int> places_of_bits(const uint32_t* words, size_t count) {
+    constexpr size_t line = 16;
     std::vector<int> places;
-    for (size_t word = 0; word < count; ++word)
-        for (uint32_t rest = words[word]; rest != 0; rest &= rest - 1)
-            places.push_back(static_cast<int>(32 * word) + __builtin_ctz(rest));
+    for (size_t first = 0; first < count; first += line) {
+        const size_t end = std::min(first + line, count);
+        if (std::accumulate(words + first, words + end, 0u, std::bit_or<>()) == 0) continue;
+        for (size_t word = first; word < end; ++word)
+            for (uint32_t rest = words[word]; rest != 0; rest &= rest - 1)
+                places.push_back(static_cast<int>(32 * word) + __builtin_ctz(rest));
+    }
     return places;
 }
 
