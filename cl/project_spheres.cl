@@ -3,8 +3,7 @@
 // Reads the clusters and what rounding left over of them (-D RESTS=1; else the clusters are exact, and rests is not
 // touched). Writes for each place centre, reach, r^2, power and id: types.h. For a parallel light in its basis, from
 // the eye, which is then the apex; else from the apex. One work-item: one cluster.
-#include "reach.h"
-#include "two_reals.h"
+#include "projection.h"
 
 kernel void project_spheres(global const Cluster* restrict clusters, global const ClusterRest* restrict rests,
                             const Apex apex, const ParallelPencil light, const int parallel, const int items,
@@ -14,7 +13,7 @@ kernel void project_spheres(global const Cluster* restrict clusters, global cons
     global const Cluster* c = clusters + item;
     global PencilCluster* to = seen + item;
     const int16 id = vload16(0, c->id);
-    const wholes16 empty = wholes_of_16(id < 0);
+    const wholen empty = wholes_of_n(id < 0);
 #if RESTS
     global const ClusterRest* rest = rests + item;
     const float16 x_rest = vload16(0, rest->x), y_rest = vload16(0, rest->y), z_rest = vload16(0, rest->z);
@@ -22,23 +21,14 @@ kernel void project_spheres(global const Cluster* restrict clusters, global cons
 #else
     const float16 x_rest = 0.0f, y_rest = x_rest, z_rest = x_rest, radius_rest = x_rest;
 #endif
-    const TwoReals radius = number_of(vload16(0, c->radius), radius_rest);
-    const TwoReals3 f = {two_difference(number_of(vload16(0, c->x), x_rest), apex.hi.x, apex.lo.x),
-                         two_difference(number_of(vload16(0, c->y), y_rest), apex.hi.y, apex.lo.y),
-                         two_difference(number_of(vload16(0, c->z), z_rest), apex.hi.z, apex.lo.z)};
-    real16 x = f.x.hi, y = f.y.hi, z = f.z.hi;
-    if (parallel) {
-        x = along(light.u, f);
-        y = along(light.v, f);
-        z = along(light.axis, f);
-    }
-    const real16 distance = sqrt(fma(x, x, fma(y, y, z * z)));
-    const float16 reach = reach_of(floats_of_16(radius.hi), floats_of_16(distance));
-    vstore16(x, 0, to->x);
-    vstore16(y, 0, to->y);
-    vstore16(z, 0, to->z);
-    vstore16(id < 0 ? (float16)(-INFINITY) : reach, 0, to->reach);
-    vstore16(empty ? (real16)(-INFINITY) : fma(radius.hi, radius.hi, 2.0f * radius.hi * radius.lo), 0, to->r2);
-    vstore16(empty ? (real16)(INFINITY) : power_of(f, radius), 0, to->power);
+    const TwoReals3 center = {number_of(vload16(0, c->x), x_rest), number_of(vload16(0, c->y), y_rest),
+                              number_of(vload16(0, c->z), z_rest)};
+    const Projected s = projected(center, number_of(vload16(0, c->radius), radius_rest), apex, light, parallel);
+    vstore16(s.x, 0, to->x);
+    vstore16(s.y, 0, to->y);
+    vstore16(s.z, 0, to->z);
+    vstore16(id < 0 ? (float16)(-INFINITY) : s.reach, 0, to->reach);
+    vstore16(empty ? (realn)(-INFINITY) : s.r2, 0, to->r2);
+    vstore16(empty ? (realn)(INFINITY) : s.power, 0, to->power);
     vstore16(id, 0, to->id);
 }

@@ -36,10 +36,10 @@
 #ifndef GNOMON_REACH_H
 #define GNOMON_REACH_H
 
-#include "real.h"
+#include "two_reals.h"
 
-static inline float16 reach_of(float16 radius, float16 distance) {
-    return fma(distance > radius ? distance : radius, (float16)(0x1p-17f), radius);
+static inline floatn reach_of(floatn radius, floatn distance) {
+    return fma(distance > radius ? distance : radius, (floatn)(0x1p-17f), radius);
 }
 
 #endif

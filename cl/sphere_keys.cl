@@ -28,7 +28,7 @@ static inline uint16 digits(TwoReals place, int word) {
 // is added to the rest.
 static inline TwoReals place_of(const float* at, const float* rest, float low, float scale) {
     const TwoReals offset = two_difference(number_of(vload16(0, at), vload16(0, rest)), low, 0.0f);
-    return (TwoReals){offset.hi * scale, offset.lo * scale};
+    return two(offset.hi * scale, offset.lo * scale);
 }
 
 // `low` is the corner of the box around all centres; `scale` 2^10 over its longest side, or less.

@@ -118,6 +118,7 @@ void add_refinement_steps(Plan& plan, const Scene& scene, bool shaded) {
 }
 
 void add_sphere_kernels(Plan& plan, const Scene& scene) {
+    if (plan.flat()) return;
     const auto add = [&](Kernel kernel, bool parallel = false) {
         const Variant variant = sphere_variant(kernel, plan.accuracy, plan.has_rests, parallel, plan.memory.cut);
         std::vector<Variant>& all = plan.variants;
@@ -125,14 +126,12 @@ void add_sphere_kernels(Plan& plan, const Scene& scene) {
     };
     const auto add_view = [&](bool parallel) {
         add(Kernel::project_spheres);
-        if (plan.flat()) return;
         add(Kernel::bound_clusters, parallel);
         add(Kernel::bound_nodes, parallel);
     };
-    if (!plan.flat())
-        for (const Kernel kernel : {Kernel::sphere_keys, Kernel::count_digits, Kernel::scan_counts,
-                                    Kernel::scatter_pairs, Kernel::find_duplicates, Kernel::gather_spheres})
-            add(kernel);
+    for (const Kernel kernel : {Kernel::sphere_keys, Kernel::count_digits, Kernel::scan_counts, Kernel::scatter_pairs,
+                                Kernel::find_duplicates, Kernel::gather_spheres})
+        add(kernel);
     add_view(false);
     if (plan.shadows == Shadows::off || !plan.uses(Kernel::shade_light)) return;
     for (const Light& light : scene.lights)

@@ -9,7 +9,7 @@ namespace gnomon {
 /// All else of the plan must be decided.
 void add_steps(Plan& plan, const Scene& scene, const RenderOptions& options);
 
-/// The kernels that put the spheres in order, and in each pencil's view; after the steps.
+/// The kernels that put the spheres in order, and in each pencil's view, if they are many; after the steps.
 void add_sphere_kernels(Plan& plan, const Scene& scene);
 
 /// Of rays that are listed: what is made for each, with nothing resolved.

@@ -161,7 +161,7 @@ const DeviceRenderer::Still& DeviceRenderer::still_spheres(const Job& job, Spher
     still_.reset();
     Still made{job.survey, job.frame, upload_rows(job), {}};
     if (job.plan.flat())
-        made.clusters = kernels.copy_few(made.rows.rows);
+        made.clusters = few_clusters(made.rows.rows);
     else if (!job.plan.memory.cut)
         made.clusters = kernels.gather(made.rows.buffers, job.survey, job.frame);
     return still_.emplace(std::move(made));

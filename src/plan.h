@@ -110,7 +110,7 @@ struct Plan {
     int rays_per_item() const { return lanes * packets; }
     int items(Kernel kernel, const Tile& tile) const;
     std::string walk() const;         ///< how rays meet the spheres: cl/types.h
-    bool flat() const;                ///< so few spheres that their clusters are visited one after the other
+    bool flat() const;                ///< so few spheres that the host puts them in clusters and in view: no nodes
     bool uses(Kernel kernel) const;   ///< some step launches it
     int slices(int64_t pairs) const;  ///< a sort's, of so many
 };

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "flat_clusters.h"
+#include "flat_view.h"
 
 namespace gnomon {
 
@@ -51,6 +51,14 @@ RowBuffers upload(const DeviceMemory& memory, const SphereRows& rows) {
     buffers.rests = buffers.has_rests ? memory.over(rows.rests.data(), 4 * rows.count) : memory.room<float>(1);
     buffers.ids = buffers.has_ids ? memory.over(rows.ids.data(), rows.count) : memory.room<int>(1);
     return buffers;
+}
+
+ClusterBuffers few_clusters(const SphereRows& rows) {
+    ClusterBuffers made;
+    made.shape = hierarchy_over(rows.count);
+    made.has_rests = !rows.rests.empty();
+    made.few = flat_clusters(rows);
+    return made;
 }
 
 struct SphereKernels::Pairs {
@@ -103,17 +111,6 @@ void SphereKernels::order(const RowBuffers& rows, const Survey& survey, const Fr
     launcher_.finish();  // only then are the pairs given back
 }
 
-ClusterBuffers SphereKernels::copy_few(const SphereRows& rows) {
-    const FlatClusters made = flat_clusters(rows);
-    const auto count = static_cast<int64_t>(made.clusters.size());
-    ClusterBuffers result;
-    result.shape = hierarchy_over(rows.count);
-    result.has_rests = !made.rests.empty();
-    result.clusters = memory_.copy(made.clusters.data(), count);
-    result.rests = result.has_rests ? memory_.copy(made.rests.data(), count) : memory_.room<ClusterRest>(1);
-    return result;
-}
-
 ClusterBuffers SphereKernels::gather(const RowBuffers& rows, const Survey& survey, const Frame& frame) {
     ClusterBuffers result;
     result.shape = hierarchy_over(rows.count, 0);
@@ -130,15 +127,27 @@ ClusterBuffers SphereKernels::gather(const RowBuffers& rows, const Survey& surve
 
 SphereBuffers SphereKernels::project(const ClusterBuffers& spheres, const PencilView& view) {
     const HierarchyShape& shape = spheres.shape;
-    const auto room = [&](auto real) { return memory_.room<PencilClusterOf<decltype(real)>>(shape.all_clusters()); };
-    SphereBuffers result{with_real(plan_.accuracy, room), {}, shape.levels(), shape.last()};
+    SphereBuffers result{{}, {}, shape.levels(), shape.last()};
     result.nodes = memory_.room<Node>(static_cast<int64_t>(view.faces.size()) * shape.all_nodes());
+    if (shape.is_flat()) {
+        result.clusters = with_real(plan_.accuracy, [&](auto real) { return look<decltype(real)>(spheres.few, view); });
+        return result;
+    }
+    const auto room = [&](auto real) { return memory_.room<PencilClusterOf<decltype(real)>>(shape.clusters); };
+    result.clusters = with_real(plan_.accuracy, room);
     launcher_.branch();
-    launcher_.launch(sphere_variant(Kernel::project_spheres, plan_.accuracy, spheres.has_rests), shape.all_clusters(),
+    launcher_.launch(sphere_variant(Kernel::project_spheres, plan_.accuracy, spheres.has_rests), shape.clusters,
                      plan_.local_size, spheres.clusters, spheres.rests, view.apex, view.parallel,
-                     view.is_parallel ? 1 : 0, shape.all_clusters(), result.clusters);
-    if (!shape.is_flat()) bound(result, shape, view);
+                     view.is_parallel ? 1 : 0, shape.clusters, result.clusters);
+    bound(result, shape, view);
     return result;
+}
+
+template <class real>
+cl::Buffer SphereKernels::look(const FlatClusters& spheres, const PencilView& view) const {
+    const std::vector<PencilClusterOf<real>> seen = flat_view(
+        spheres, std::get<ApexOf<real>>(view.apex), std::get<ParallelPencilOf<real>>(view.parallel), view.is_parallel);
+    return memory_.copy(seen.data(), static_cast<int64_t>(seen.size()));
 }
 
 /// Level by level, for each face.

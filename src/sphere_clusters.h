@@ -1,8 +1,9 @@
 // The spheres on the device: sorted along a curve through space, in clusters, and what each pencil sees of them. All of
-// it is done by kernels, but that few spheres are put in clusters on the host.
+// it is done by kernels, or on the host for few spheres.
 #pragma once
 
 #include "device_memory.h"
+#include "flat_clusters.h"
 #include "hierarchy.h"
 #include "launcher.h"
 #include "pencil.h"
@@ -23,7 +24,10 @@ struct ClusterBuffers {
     cl::Buffer clusters, rests;
     HierarchyShape shape;
     bool has_rests = false;
+    FlatClusters few;  ///< in place of what is on the device, where the shape is flat
 };
+/// Spheres of a scene that is flat. Coincident spheres count as one: the lowest id stands for all.
+ClusterBuffers few_clusters(const SphereRows& rows);
 
 /// The spheres and the nodes over them as one pencil sees them: cl/hierarchy.h.
 struct SphereBuffers {
@@ -59,8 +63,6 @@ class SphereKernels {
     SphereKernels(const DeviceMemory& memory, Launcher& launcher, const Plan& plan)
         : memory_(memory), launcher_(launcher), plan_(plan) {}
 
-    /// Spheres in clusters, for a scene that is flat. Coincident spheres count as one: the lowest id stands for all.
-    ClusterBuffers copy_few(const SphereRows& rows);
     /// Likewise, but sorted for a hierarchy.
     ClusterBuffers gather(const RowBuffers& rows, const Survey& survey, const Frame& frame);
     /// No view waits for another: Launcher::branch.
@@ -71,6 +73,8 @@ class SphereKernels {
     void sort(Pairs& pairs, const RowBuffers& rows, int word, bool first, const Survey& survey, const Frame& frame);
     bool find_duplicates(const Pairs& pairs, const RowBuffers& rows, bool hashed, int longest, const cl::Buffer& order);
     void order(const RowBuffers& rows, const Survey& survey, const Frame& frame, const cl::Buffer& order);
+    template <class real>
+    cl::Buffer look(const FlatClusters& spheres, const PencilView& view) const;
     void bound(const SphereBuffers& spheres, const HierarchyShape& shape, const PencilView& view);
 
     const DeviceMemory& memory_;

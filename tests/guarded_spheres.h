@@ -47,7 +47,7 @@ class DeviceSpheres {
         plan_.local_size = bench.local;
         plan_.max_slices = sharing.slices;
         SphereKernels kernels(memory_, launcher_, plan_);
-        buffers = hierarchy_over(survey.count).is_flat() ? kernels.copy_few(rows_)
+        buffers = hierarchy_over(survey.count).is_flat() ? few_clusters(rows_)
                                                          : kernels.gather(upload(memory_, rows_), survey, frame);
     }
     /// The view must be one of the same reals.
@@ -61,6 +61,8 @@ class DeviceSpheres {
                 seen.levels, seen.last, shape.is_flat() ? "WALK_CLUSTERS" : "WALK_NODES"};
     }
     std::vector<Cluster> clusters() const {
+        if (buffers.shape.is_flat())  // but for those of balls
+            return {buffers.few.clusters.begin(), buffers.few.clusters.begin() + buffers.shape.clusters};
         return read_back<Cluster>(bench_, buffers.clusters, static_cast<size_t>(buffers.shape.clusters));
     }
 

@@ -155,13 +155,13 @@ TEST_CASE("nothing to trace, nothing to launch", "[plan]") {
 TEST_CASE("only the variants that a scene needs are built, each once", "[plan]") {
     const Plan suns = plan_of(scene_of(8, 8, {sun, sun})), lamps = plan_of(scene_of(8, 8, {lamp, lamp})),
                both = plan_of(scene_of(8, 8, {sun, lamp, sun, lamp}));
-    CHECK(variants_of(suns).size() == 4);
+    CHECK(variants_of(suns).size() == 3);
     CHECK_FALSE(mentions(suns, "LIGHT_POINT"));
-    CHECK(variants_of(lamps).size() == 4);
+    CHECK(variants_of(lamps).size() == 3);
     CHECK_FALSE(mentions(lamps, "LIGHT_DIRECTIONAL"));
-    CHECK(variants_of(both).size() == 5);
+    CHECK(variants_of(both).size() == 4);
     const Plan split = plan_of(scene_of(8, 8, {sun, lamp, sun, lamp}), all_outputs(), gpu());
-    CHECK(variants_of(split).size() == 8);
+    CHECK(variants_of(split).size() == 7);
     CHECK(mentions(split, "SHADOWS_READ"));
     CHECK_FALSE(mentions(split, "SHADOWS_TRACED"));
     RenderOptions open;
