@@ -35,6 +35,8 @@ struct DeviceInfo {
 
     /// "P:D", or "P:D/N.I" of part I of N.
     std::string number() const;
+    /// PoCL on a CPU, whose compiler is clang.
+    bool is_pocl() const { return type == DeviceType::cpu && platform_name == "Portable Computing Language"; }
 };
 
 const char* to_string(DeviceType type);

@@ -14,9 +14,7 @@ namespace gnomon {
 namespace {
 
 /// PoCL compiles a kernel anew for launches of more work-items than this.
-int64_t most_items(const DeviceInfo& device) {
-    return device.type == DeviceType::cpu ? 65535 : std::numeric_limits<int64_t>::max();
-}
+int64_t most_items(const DeviceInfo& device) { return device.is_pocl() ? 65535 : std::numeric_limits<int64_t>::max(); }
 
 /// How often each variant's kernel was given all the hits: once a light.
 int64_t lights_of(const Plan& plan, size_t variant) {

@@ -24,7 +24,24 @@ double seconds_since_asked(const cl::Event& event) {
                                       event.getProfilingInfo<CL_PROFILING_COMMAND_QUEUED>());
 }
 
+/// In this launch no work-item has anything to do. It has as many of them as any may have: PoCL keeps a kernel's code
+/// with the size of the launch that loaded it, loads it once more for a larger one and, when two launches of the kernel
+/// are then under way, gives back one's code for the other's, until "ref_count > 0" fails (3.1,
+/// pocl_release_dlhandle_cache).
+void Launches::load(const cl::CommandQueue& queue, const Work& work) const {
+    if (work.pace->is_loaded()) return;
+    cl::Kernel kernel = work.kernel;
+    kernel.setArg(kernel.getInfo<CL_KERNEL_NUM_ARGS>() - 1, static_cast<cl_int>(work.items));
+    const int64_t most = pace_.is_bounded() ? pace_.most() / work.local : 1;
+    const auto local = static_cast<size_t>(work.local);
+    cl::Event done;
+    queue.enqueueNDRangeKernel(kernel, cl::NullRange, static_cast<size_t>(most) * local, local, nullptr, &done);
+    done.wait();
+    work.pace->set_loaded();
+}
+
 void Launches::launch(const cl::CommandQueue& queue, const Work& work, std::vector<cl::Event>& busy) {
+    load(queue, work);
     for (int64_t first = 0; first < work.items;) {
         if (stop_ && stop_->is_asked()) await_all();
         check(stop_);
@@ -74,7 +91,7 @@ void Launches::enqueue(const cl::CommandQueue& queue, const Work& work, int64_t 
     queue.enqueueNDRangeKernel(kernel, cl::NullRange, groups * local, local, &busy, &done);
     busy = {done};
     const double expected = work.pace->expected(items);
-    under_way_.push_back({work.pace, work.tag, done, items, expected, work.pace->is_cold()});
+    under_way_.push_back({work.pace, work.tag, done, items, expected});
     expected_ += expected;
 }
 
@@ -96,8 +113,8 @@ void Launches::measure_oldest() {
     under_way_.pop_front();
     expected_ = empty() ? 0 : expected_ - launch.expected;  // 0 rounds nothing off
     const double seconds = seconds_of(launch.event);
-    const bool counts = launch.pace->measured(launch.items, seconds, launch.cold);
-    ended_(launch.tag, launch.items, counts ? seconds : 0);
+    launch.pace->measured(launch.items, seconds);
+    ended_(launch.tag, launch.items, seconds);
 }
 
 }  // namespace gnomon

@@ -31,18 +31,20 @@ struct Work {
 
 class Launches {
   public:
-    /// A launch; `seconds` are 0 where its time does not count, since the driver was not ready for it.
     using Ended = std::function<void(int tag, int64_t items, double seconds)>;
 
     /// `ended` is told of each launch, once it has been measured. Nothing is launched when a `stop` is asked for.
     Launches(const Pace& pace, const Stop* stop, Ended ended) : pace_(pace), stop_(stop), ended_(std::move(ended)) {}
 
+    /// Has the driver compile and load the kernel, unless that has been done; waits for it. Not to be called by whom
+    /// the driver calls back.
+    void load(const cl::CommandQueue& queue, const Work& work) const;
     /// All of it, in as many parts as its pace demands, one after the other and after `busy`, which then holds the end
     /// of the last. Waits for launches that must be measured first, for the oldest when too much is under way, and for
     /// all before it throws Stopped.
     void launch(const cl::CommandQueue& queue, const Work& work, std::vector<cl::Event>& busy);
-    /// The part from work-item `first` on, without waiting for anything, even when it throws; returns how many
-    /// work-items it has.
+    /// The part from work-item `first` on of what is loaded, without waiting for anything, even when it throws; returns
+    /// how many work-items it has.
     int64_t launch_part(const cl::CommandQueue& queue, const Work& work, int64_t first, std::vector<cl::Event>& busy);
 
     bool empty() const { return under_way_.empty(); }
@@ -61,7 +63,6 @@ class Launches {
         cl::Event event;
         int64_t items;
         double expected;  // seconds
-        bool cold;        // the kernel's first, or at the same time
     };
 
     int64_t part(const Work& work, int64_t left) const;

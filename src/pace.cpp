@@ -18,13 +18,10 @@ constexpr double short_launch = 1e-3;
 
 }  // namespace
 
-bool KernelPace::measured(int64_t items, double seconds, bool cold) {
-    cold_ = false;
-    if (cold && seconds > short_launch) return false;
-    if (seconds < short_launch && growth * items < most_) return true;
+void KernelPace::measured(int64_t items, double seconds) {
+    if (seconds < short_launch && growth * items < most_) return;
     slow_ = std::max(seconds / static_cast<double>(items), memory * slow_);
     most_ = std::max(most_, items);
-    return true;
 }
 
 int64_t KernelPace::part(int64_t left, int64_t least, double bound) const {

@@ -15,11 +15,11 @@ constexpr double longest_launch = 0.1;
 /// What is known of one kernel on one device.
 class KernelPace {
   public:
-    /// So many work-items took so long in one launch. One that began `cold` and was not short does not count, for
-    /// drivers may compile or load a kernel while it is launched for the first time; returns whether it did.
-    bool measured(int64_t items, double seconds, bool cold = false);
-    /// No launch has ended yet.
-    bool is_cold() const { return cold_; }
+    /// So many work-items took so long in one launch.
+    void measured(int64_t items, double seconds);
+    /// The driver has compiled and loaded the kernel, which it does while that is launched for the first time.
+    bool is_loaded() const { return loaded_; }
+    void set_loaded() { loaded_ = true; }
 
     /// How many of `left` work-items the next launch should have, in whole times `least`, to take no more than `bound`
     /// seconds: `least` while nothing is known, then as measured, but at most `growth` times the largest yet.
@@ -29,7 +29,7 @@ class KernelPace {
 
     /// Seconds that so many should take.
     double expected(int64_t items) const { return slow_ * static_cast<double>(items); }
-    /// All but that it has been launched.
+    /// All but that it is loaded.
     void forget() { slow_ = 0, most_ = 0; }
 
   private:
@@ -37,7 +37,7 @@ class KernelPace {
 
     double slow_ = 0;   // seconds a work-item, the most of late
     int64_t most_ = 0;  // work-items of the largest launch that was measured
-    bool cold_ = true;
+    bool loaded_ = false;
 };
 
 /// That of all kernels of a device.
@@ -53,6 +53,7 @@ class Pace {
     KernelPace& of(const std::string& kernel) { return kernels_[kernel]; }
     double bound() const { return bound_; }
     int64_t most() const { return most_; }
+    bool is_bounded() const { return most_ < std::numeric_limits<int64_t>::max(); }
 
   private:
     std::map<std::string, KernelPace> kernels_;

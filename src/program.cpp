@@ -12,10 +12,9 @@ namespace gnomon {
 Programs::Programs(const cl::Context& context, const std::vector<cl::Device>& devices, const DeviceInfo& info)
     : context_(context), devices_(devices), info_(info), cache_(binary_cache_for(info)) {
     // PoCL on a CPU: clang's builtins are at hand.
-    const bool pocl = info.platform_name == "Portable Computing Language" && info.type == DeviceType::cpu;
-    common_options_ = pocl ? " -D CLANG_TO_MACHINE=1" : " -D CLANG_TO_MACHINE=0";
+    common_options_ = info.is_pocl() ? " -D CLANG_TO_MACHINE=1" : " -D CLANG_TO_MACHINE=0";
     // cl/builtins.h takes the place of the header that this driver would read first, and of no other driver's.
-    if (pocl) common_options_ += " -D DECLARE_BUILTINS=1 -D _OPENCL_H_";
+    if (info.is_pocl()) common_options_ += " -D DECLARE_BUILTINS=1 -D _OPENCL_H_";
 }
 
 std::string Programs::options(const Variant& variant) const {

@@ -104,8 +104,10 @@ void Scheduler::run_ahead(const std::function<void(double)>& progress) {
     launches_.front().measure_all();
 }
 
-/// Each core works on a tile of its own, and takes the next one itself.
+/// Each core works on a tile of its own, and takes the next one itself. It does so where the driver calls back, and
+/// must not wait there.
 Deal Scheduler::deal_to_cores(const std::function<void(double)>& progress) {
+    for (const Step& step : plan_.steps) launches_.front().load(slots_.front().queue, work(slots_.front(), step));
     Deal turns{workers_.size(), {}, {}, progress};
     turns.launch = [this](size_t worker) { return launch_turn(worker); };
     turns.ended = [this](size_t worker) {

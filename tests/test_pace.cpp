@@ -100,15 +100,3 @@ TEST_CASE("pace: a picture of more spheres begins anew", "[pace]") {
     CHECK(kernel.part(1'000'000, least, bound) == least);
     CHECK(&paces.of("kernel -D LANES=16") == &kernel);
 }
-
-TEST_CASE("pace: a launch during which the driver compiles does not count", "[pace]") {
-    KernelPace pace;
-    REQUIRE(pace.is_cold());
-    CHECK_FALSE(pace.measured(least, 1.0, pace.is_cold()));
-    CHECK_FALSE(pace.is_cold());
-    CHECK(pace.part(1'000'000, least, bound) == least);
-    CHECK(pace.measured(least, 1.0, pace.is_cold()));  // it is as slow as this
-    CHECK(pace.expected(1) == 1.0 / static_cast<double>(least));
-    KernelPace ready;
-    CHECK(ready.measured(least, 1e-5, ready.is_cold()));
-}
