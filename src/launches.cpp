@@ -30,6 +30,7 @@ double seconds_since_asked(const cl::Event& event) {
 /// pocl_release_dlhandle_cache).
 void Launches::load(const cl::CommandQueue& queue, const Work& work) const {
     if (work.pace->is_loaded()) return;
+    queue.finish();  // what is under way would wait for the compiler, and be measured with that
     cl::Kernel kernel = work.kernel;
     kernel.setArg(kernel.getInfo<CL_KERNEL_NUM_ARGS>() - 1, static_cast<cl_int>(work.items));
     const int64_t most = pace_.is_bounded() ? pace_.most() / work.local : 1;
