@@ -46,7 +46,7 @@ static inline float dot_3(Float3 a, Float3 b) { return fma(a.x, b.x, fma(a.y, b.
 // dot product's and 1 a vector, and the product by 1, which turns by half of that at most. Together that is less than
 // the 11 u for X and Y in reach.h. (Rays of doubles are turned by next to nothing; here, eye's vectors are then
 // rounded.)
-static inline FatRay eye_fat_ray(EyePencil eye, Tile tile, int item, Basis basis) {
+INLINE FatRay eye_fat_ray(EyePencil eye, Tile tile, int item, Basis basis) {
     const int rays = LANES * PACKETS, columns = min(rays, BLOCK_SIDE), rows = (rays + BLOCK_SIDE - 1) / BLOCK_SIDE;
     const Pixel first = first_pixel(tile, item, 0);
     const float pixel_x = dot_3(float3_of(eye.right), basis.u), pixel_y = dot_3(float3_of(eye.up), basis.v);

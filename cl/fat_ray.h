@@ -16,13 +16,13 @@ typedef struct {
 } FatRay;
 
 // The normal of the plane through the apex and X = x or Y = x, times `scale`.
-static inline Float3 side(Float3 across, Float3 axis, float x, float scale) {
+INLINE Float3 side(Float3 across, Float3 axis, float x, float scale) {
     return (Float3){fma(-x, axis.x, across.x) * scale, fma(-x, axis.y, across.y) * scale,
                     fma(-x, axis.z, across.z) * scale};
 }
 
 // Where a side is infinite its normal is NaN, and everything is kept.
-static inline FatRay fat_ray_between(float x0, float x1, float y0, float y1, Basis basis) {
+INLINE FatRay fat_ray_between(float x0, float x1, float y0, float y1, Basis basis) {
     const float4 at = (float4)(x0, x1, y0, y1);
     const float4 scale = (float4)(-1.0f, 1.0f, -1.0f, 1.0f) / sqrt(fma(at, at, (float4)(1.0f)));
     FatRay fat = {x0, x1, y0, y1, {{0, 0, 0}}, basis.axis, INFINITY};
@@ -34,7 +34,7 @@ static inline FatRay fat_ray_between(float x0, float x1, float y0, float y1, Bas
 }
 
 // `open` says which of the rays count. Where one is not on the axis's side the rectangle is the whole plane.
-static inline FatRay fat_ray(const vec3w* dir, const wholew* open, Basis basis) {
+INLINE FatRay fat_ray(const vec3w* dir, const wholew* open, Basis basis) {
 #if WALK == WALK_SPHERES
     return (FatRay){0};  // nobody looks at it
 #else
@@ -57,7 +57,7 @@ static inline FatRay fat_ray(const vec3w* dir, const wholew* open, Basis basis) 
 
 // Which spheres of a cluster the fat ray may meet, as bits: those that it cannot be shown to miss, so that NaN keeps
 // them.
-static inline int candidates(FatRay fat, global const PencilCluster* c) {
+INLINE int candidates(FatRay fat, global const PencilCluster* c) {
 #if WALK == WALK_SPHERES && RAYS != RAYS_GENERATED
     return filled(c);
 #endif
@@ -75,7 +75,7 @@ static inline int candidates(FatRay fat, global const PencilCluster* c) {
 }
 
 // The same for the children of a node.
-static inline int node_candidates(FatRay fat, global const Node* n) {
+INLINE int node_candidates(FatRay fat, global const Node* n) {
     int kept = 0;
     for (int first = 0; first < CLUSTER; first += LANES) {
         const intw misses = (lanes_at(n->x0, first) > fat.x1) | (lanes_at(n->x1, first) < fat.x0) |

@@ -23,12 +23,12 @@ typedef struct {
     int rest;
 } Traversal;
 
-static inline Traversal begin(Hierarchy h, FAT fat) {
+INLINE Traversal begin(Hierarchy h, FAT fat) {
     if (!h.levels) return (Traversal){(2 << h.last) - 1};
     const int all = (1 << h.last) - 1;  // empty places may be candidates too
     return (Traversal){all & BALL_CANDIDATES(fat, h.clusters + h.last)};
 }
-static inline int next_cluster(Hierarchy h, Traversal* t, FAT fat) {
+INLINE int next_cluster(Hierarchy h, Traversal* t, FAT fat) {
     const int rest = t->rest;
     t->rest = rest & (rest - 1);
     return rest ? lowest_bit(rest) : -1;
@@ -40,8 +40,8 @@ typedef struct {
     int next;
 } Traversal;
 
-static inline Traversal begin(Hierarchy h, FAT fat) { return (Traversal){0}; }
-static inline int next_cluster(Hierarchy h, Traversal* t, FAT fat) { return t->next <= h.last ? t->next++ : -1; }
+INLINE Traversal begin(Hierarchy h, FAT fat) { return (Traversal){0}; }
+INLINE int next_cluster(Hierarchy h, Traversal* t, FAT fat) { return t->next <= h.last ? t->next++ : -1; }
 
 #else
 
@@ -52,7 +52,7 @@ typedef struct {
     float farthest;  // nothing that begins beyond is of interest any more
 } Traversal;
 
-static inline Traversal begin(Hierarchy h, FAT fat) {
+INLINE Traversal begin(Hierarchy h, FAT fat) {
     Traversal t;
     t.level = h.levels;
     t.farthest = INFINITY;
@@ -63,7 +63,7 @@ static inline Traversal begin(Hierarchy h, FAT fat) {
 
 // The next cluster that may hold something, -1 after the last. Children are sorted by where they begin, in pencils with
 // an apex: the first that begins too far ends its node. (In parallel pencils nothing is too far.)
-static inline int next_cluster(Hierarchy h, Traversal* t, FAT fat) {
+INLINE int next_cluster(Hierarchy h, Traversal* t, FAT fat) {
     while (t->level <= h.levels) {
         const int level = t->level, rest = t->rest[level];
         t->rest[level] = rest & (rest - 1);

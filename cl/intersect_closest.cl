@@ -27,10 +27,8 @@ static inline void store_misses(global real* ts, global real* normals, global in
     }
 }
 
-// The next cluster with spheres that the fat ray may meet, and these as bits; -1 after the last. A call would copy the
-// fat ray to memory each time, which is 5 % of the time that 10^6 spheres take.
-__attribute__((always_inline)) static inline int next_candidates(Hierarchy hierarchy, Traversal* traversal, FatRay fat,
-                                                                 int* spheres) {
+// The next cluster with spheres that the fat ray may meet, and these as bits; -1 after the last.
+INLINE int next_candidates(Hierarchy hierarchy, Traversal* traversal, FatRay fat, int* spheres) {
     int c;
     do {
         c = next_cluster(hierarchy, traversal, fat);

@@ -141,6 +141,11 @@ static inline intw lanes_of_bits(int bits) { return ((intw)(bits) >> LANE_INDEX 
 #define UNLIKELY(condition) (condition)
 #endif
 
+// For what takes or gives a fat ray: inlined before anything else is done to the kernel. Where that comes later PoCL 6
+// moves the struct through memory, in pieces of other sizes than it then reads, and intersect_closest takes 1.7 times
+// as long.
+#define INLINE __attribute__((always_inline)) static inline
+
 // One lane's value.
 #define LANE_OF(v, lane) (((const real*)&(v))[lane])
 
