@@ -107,7 +107,9 @@ void Scheduler::run_ahead(const std::function<void(double)>& progress) {
 /// Each core works on a tile of its own, and takes the next one itself. It does so where the driver calls back, and
 /// must not wait there.
 Deal Scheduler::deal_to_cores(const std::function<void(double)>& progress) {
-    for (const Step& step : plan_.steps) launches_.front().load(slots_.front().queue, work(slots_.front(), step));
+    for (const Step& step : plan_.steps)
+        if (!paces_[static_cast<size_t>(step.variant)]->is_loaded())
+            launches_.front().load(slots_.front().queue, work(slots_.front(), step));
     Deal turns{workers_.size(), {}, {}, progress};
     turns.launch = [this](size_t worker) { return launch_turn(worker); };
     turns.ended = [this](size_t worker) {

@@ -93,10 +93,13 @@ TEST_CASE("pace: a picture of more spheres begins anew", "[pace]") {
     Pace paces;
     KernelPace& kernel = paces.of("kernel -D LANES=16");
     paces.expect(bound, 10);
+    CHECK_FALSE(kernel.is_loaded());
+    kernel.set_loaded();
     kernel.measured(1'000'000, 1e-3);
     paces.expect(bound, 10);
     CHECK(kernel.part(1'000'000, least, bound) == 1'000'000);
     paces.expect(bound, 11);
     CHECK(kernel.part(1'000'000, least, bound) == least);
+    CHECK(kernel.is_loaded());
     CHECK(&paces.of("kernel -D LANES=16") == &kernel);
 }
