@@ -61,7 +61,8 @@ typedef CONCAT(WHOLE, LANES) wholew;
 #define wide(x) ((realw)(x))
 #define wide_float(x) ((floatw)(x))
 #define FOR_PACKETS(k) _Pragma("unroll") for (int k = 0; k < PACKETS; ++k)
-#define ONE_PACKET_AT_A_TIME(k) _Pragma("unroll 1") for (int k = 0; k < PACKETS; ++k)  // less code, but in memory
+#define ONE_AT_A_TIME _Pragma("unroll 1")                                        // less code
+#define ONE_PACKET_AT_A_TIME(k) ONE_AT_A_TIME for (int k = 0; k < PACKETS; ++k)  // but in memory
 
 // Between the two pairs of types.
 #if REAL_IS_DOUBLE

@@ -3,13 +3,18 @@
 // Reads blocks (`components` values a ray: words or, with -D REAL_IS_DOUBLE=1, doubles, which become floats). Writes
 // component c to rows of plane c (planes above `components` are not touched). One work-item: one row of two
 // neighbouring blocks, 16 pixels, which is a cache line.
+#include "types.h"
+#if REAL_IS_DOUBLE
+#define WORD double
+#else
+#define WORD int
+#endif
 #include "resolve.h"
 
 kernel void resolve(global const word* restrict blocks, const int components, const Tile tile, const Planes planes,
                     const int items, global int* plane0, global int* plane1, global int* plane2, const int first_item) {
     const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
-    const int pairs = (tile.blocks_x + 1) / 2, pair = item / BLOCK_SIDE, x = pair % pairs * 2;
-    resolve_row(blocks, components, tile, planes, pair / pairs * tile.blocks_x + x, min(2, tile.blocks_x - x),
-                item % BLOCK_SIDE, plane0, plane1, plane2);
+    resolve_row(blocks, components, tile, planes, pair_of(tile, item / BLOCK_SIDE), item % BLOCK_SIDE, plane0, plane1,
+                plane2);
 }

@@ -1,19 +1,28 @@
-// From block order to rows. Of words the bits are not looked at, so they may be floats and ints alike; doubles, with -D
-// REAL_IS_DOUBLE=1, are rounded to floats.
+// From block order to rows. Whoever includes this says with WORD what a value is: an int, of which the bits are not
+// looked at, or a real; doubles, with -D REAL_IS_DOUBLE=1, are rounded to floats.
 #ifndef GNOMON_RESOLVE_H
 #define GNOMON_RESOLVE_H
 
 #include "types.h"
 
+typedef WORD word;
 #if REAL_IS_DOUBLE
-typedef double word;
-static inline int word_of(double value) { return as_int((float)value); }
-static inline int8 words_of(global const double* values) { return as_int8(convert_float8(vload8(0, values))); }
+static inline int word_of(word value) { return as_int((float)value); }
+static inline int8 words_of(global const word* values) { return as_int8(convert_float8(vload8(0, values))); }
 #else
-typedef int word;
-static inline int word_of(int value) { return value; }
-static inline int8 words_of(global const int* values) { return vload8(0, values); }
+static inline int word_of(word value) { return as_int(value); }
+static inline int8 words_of(global const word* values) { return as_int8(vload8(0, values)); }
 #endif
+
+// Two neighbouring blocks or, at a tile's right end, one.
+typedef struct {
+    int first, count;
+} Pair;
+
+static inline Pair pair_of(Tile tile, int pair) {
+    const int pairs = (tile.blocks_x + 1) / 2, x = pair % pairs * 2;
+    return (Pair){pair / pairs * tile.blocks_x + x, min(2, tile.blocks_x - x)};
+}
 
 // 8 pixels of the left block and as many of the right as there are: 16 are a cache line. Where STREAM is 1 (a CPU
 // writing into the film itself), whole lines go past the caches: nothing reads them again soon, and the line need not
@@ -33,13 +42,14 @@ static inline void write_row(global const word* left, global const word* right, 
     vstore8(words_of(right), 1, to);
 }
 
-// One row of `count` neighbouring blocks, 1 or 2, of which the first is `block`; `components` values a ray.
-static inline void resolve_row(global const word* blocks, int components, Tile tile, Planes planes, int block,
-                               int count, int row, global int* plane0, global int* plane1, global int* plane2) {
-    const int x = tile.x + block % tile.blocks_x * BLOCK_SIDE, y = tile.y + block / tile.blocks_x * BLOCK_SIDE + row;
+// One row of a pair; `components` values a ray.
+static inline void resolve_row(global const word* blocks, int components, Tile tile, Planes planes, Pair pair, int row,
+                               global int* plane0, global int* plane1, global int* plane2) {
+    const int x = tile.x + pair.first % tile.blocks_x * BLOCK_SIDE,
+              y = tile.y + pair.first / tile.blocks_x * BLOCK_SIDE + row;
     if (y >= planes.height) return;
-    const int pixels = min(planes.width - x, count * BLOCK_SIDE);
-    global const word* left = blocks + ((size_t)block * components * BLOCK_SIDE + row) * BLOCK_SIDE;
+    const int pixels = min(planes.width - x, pair.count * BLOCK_SIDE);
+    global const word* left = blocks + ((size_t)pair.first * components * BLOCK_SIDE + row) * BLOCK_SIDE;
     global const word* right = left + components * BLOCK_RAYS;
     const size_t to = (size_t)(y - planes.first_y) * (size_t)planes.pitch + (size_t)(x - planes.first_x);
     write_row(left, right, plane0 + to, pixels);

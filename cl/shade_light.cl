@@ -5,9 +5,11 @@
 // launch, as intersect_shadow would (SHADOWS_TRACED). What is not needed is not touched. phi is the light's irradiance
 // / pi (directional) or power / (4 pi^2) (point). Adds to radiance (3 a ray, block order), or sets it for the first
 // light. Albedos are those of ids or, with -D ALBEDOS_OF_RAYS=1, of the rays in their order. With -D RESOLVES=1 the
-// last light's launch resolves the radiance too, as `resolve` would, group by group while it is in the caches; groups
-// then have whole blocks. With -D CERTIFIED=1 hits of which rounding may decide whether they are lit are left
-// undecided, by doubts and undecided as intersect_closest wrote them. One work-item: PACKETS * LANES neighbouring rays.
+// last light's launch resolves the radiance too, as `resolve` would. With -D CERTIFIED=1 hits of which rounding may
+// decide whether they are lit are left undecided, by doubts and undecided as intersect_closest wrote them. One
+// work-item: PACKETS * LANES neighbouring rays; with RESOLVES a pair of blocks, so that the memory takes one pair's
+// pixels while the next is computed.
+#define WORD real
 #include "resolve.h"
 #include "shadow.h"
 
@@ -61,24 +63,6 @@ static inline void add_light(Hits hits, Albedos albedos, Real3 phi, realw share,
     store_3(sum, radiance, item, k);
 }
 
-#if RESOLVES
-// The blocks of this work-group, two by two.
-static inline void resolve_group(int group, global const word* radiance, Tile tile, Planes planes, global int* plane0,
-                                 global int* plane1, global int* plane2) {
-    const int blocks = (int)get_local_size(0) * LANES * PACKETS / BLOCK_RAYS, begin = group * blocks;
-    for (int i = (int)get_local_id(0); i < (blocks + 1) / 2 * BLOCK_SIDE; i += (int)get_local_size(0)) {
-        const int block = begin + i / BLOCK_SIDE * 2, row = i % BLOCK_SIDE, end = min(begin + blocks, tile.blocks);
-        const int neighbours = block % tile.blocks_x + 1 < tile.blocks_x, count = min(2, end - block);
-        if (neighbours || count < 2) {
-            if (count > 0) resolve_row(radiance, 3, tile, planes, block, count, row, plane0, plane1, plane2);
-            continue;
-        }
-        resolve_row(radiance, 3, tile, planes, block, 1, row, plane0, plane1, plane2);
-        resolve_row(radiance, 3, tile, planes, block + 1, 1, row, plane0, plane1, plane2);
-    }
-}
-#endif
-
 kernel void shade_light(global const real* restrict dirs, global const real* restrict ts,
                         global const real* restrict normals, global const int* restrict ids,
                         global const real* restrict arrival, global const PencilCluster* restrict clusters,
@@ -89,8 +73,15 @@ kernel void shade_light(global const real* restrict dirs, global const real* res
                         global int* plane0, global int* plane1, global int* plane2, const real base,
                         global const real* restrict doubts, global uint* undecided, const int first_word,
                         const int first_item) {
-    const int item = first_item + (int)get_global_id(0);
-    if (item < items) {
+    const int place = first_item + (int)get_global_id(0);
+    if (place >= items) return;
+#if RESOLVES
+    const Pair pair = pair_of(tile, place);
+    const int each = BLOCK_RAYS / (LANES * PACKETS), begin = pair.first * each, end = begin + pair.count * each;
+#else
+    const int begin = place, end = begin + 1;
+#endif
+    ONE_AT_A_TIME for (int item = begin; item < end; ++item) {
         const Hits hits = {dirs, ts, normals, ids};
         realw share[PACKETS];
 #if SHADOWS == SHADOWS_READ
@@ -124,8 +115,8 @@ kernel void shade_light(global const real* restrict dirs, global const real* res
         FOR_PACKETS(k) add_light(hits, all, phi, share[k], first, item, k, radiance);
     }
 #if RESOLVES
-    barrier(CLK_GLOBAL_MEM_FENCE);
     if (last_light)
-        resolve_group(group_of_all(first_item), (global const word*)radiance, tile, planes, plane0, plane1, plane2);
+        for (int row = 0; row < BLOCK_SIDE; ++row)
+            resolve_row(radiance, 3, tile, planes, pair, row, plane0, plane1, plane2);
 #endif
 }

@@ -32,9 +32,7 @@ void Launches::load(const cl::CommandQueue& queue, const Work& work) const {
     if (work.pace->is_loaded()) return;
     queue.finish();  // what is under way would wait for the compiler, and be measured with that
     cl::Kernel kernel = work.kernel;
-    // Past the last group too, part of which has work: shade_light resolves by the group.
-    const int64_t groups = (work.items + work.local - 1) / work.local;
-    kernel.setArg(kernel.getInfo<CL_KERNEL_NUM_ARGS>() - 1, static_cast<cl_int>(groups * work.local));
+    kernel.setArg(kernel.getInfo<CL_KERNEL_NUM_ARGS>() - 1, static_cast<cl_int>(work.items));
     const int64_t most = pace_.is_bounded() ? pace_.most() / work.local : 1;
     const auto local = static_cast<size_t>(work.local);
     cl::Event done;

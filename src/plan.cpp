@@ -153,8 +153,10 @@ Variant sphere_variant(Kernel kernel, Accuracy accuracy, bool has_rests, bool is
 }
 
 int Plan::items(Kernel kernel, const Tile& tile) const {
-    if (kernel != Kernel::resolve) return tile.blocks * BLOCK_RAYS / rays_per_item();
-    return (tile.blocks_x + 1) / 2 * (tile.blocks / tile.blocks_x) * BLOCK_SIDE;
+    const int pairs = (tile.blocks_x + 1) / 2 * (tile.blocks / tile.blocks_x);
+    if (kernel == Kernel::resolve) return pairs * BLOCK_SIDE;
+    if (kernel == Kernel::shade_light && !resolve_radiance) return pairs;
+    return tile.blocks * BLOCK_RAYS / rays_per_item();
 }
 
 bool Plan::flat() const { return spheres <= flat_spheres && !memory.cut; }
@@ -203,8 +205,7 @@ Plan make_plan(const Scene& scene, const Survey& survey, const RenderOptions& op
     const bool few_launches = limits.cpu && !plan.memory.cut;
     if (options.shadows) plan.shadows = few_launches || plan.certified ? Shadows::traced : Shadows::read;
     plan.generate_rays = !few_launches;
-    plan.resolve_radiance =
-        !few_launches || !plan.write_in_place || plan.rays_per_item() * plan.local_size % BLOCK_RAYS != 0;
+    plan.resolve_radiance = !few_launches || !plan.write_in_place;
     add_steps(plan, scene, options);
     if (!plan.steps.empty()) add_sphere_kernels(plan, scene);
     return plan;

@@ -108,8 +108,8 @@ struct Plan {
     bool albedos_of_rays = false;  ///< looked up by the host when all hits are known, since no chunk has all
 
     int rays_per_item() const { return lanes * packets; }
-    int items(Kernel kernel, const Tile& tile) const;
-    std::string walk() const;         ///< how rays meet the spheres: cl/types.h
+    int items(Kernel kernel, const Tile& tile) const;  ///< work-items of a launch
+    std::string walk() const;                          ///< how rays meet the spheres: cl/types.h
     bool flat() const;                ///< so few spheres that the host puts them in clusters and in view: no nodes
     bool uses(Kernel kernel) const;   ///< some step launches it
     int slices(int64_t pairs) const;  ///< a sort's, of so many

@@ -130,9 +130,6 @@ struct Shading {
     ImageSize image{0, 0};  ///< which the launch is to resolve the radiance to, if it has a width
 };
 
-/// Whether work-groups of this width have whole blocks, as they must to resolve.
-inline bool has_whole_blocks(const Bench& bench, Width w) { return w.rays() * bench.local % BLOCK_RAYS == 0; }
-
 /// Launches shade_light over whole blocks of hits and returns the radiance; checks guards and inputs. What the kind of
 /// shadows does not need is a buffer of one value.
 inline std::vector<float> shade(Bench& bench, Width w, const Scene& scene, const Receivers& hits,
@@ -145,7 +142,9 @@ inline std::vector<float> shade(Bench& bench, Width w, const Scene& scene, const
     const GuardedBuffer<Float3> albedos(bench, rho);
     const GuardedBuffer<float> arriving(bench, shading.arrival.empty() ? sentinels<float>(1) : shading.arrival);
     const GuardedBuffer<float> radiance(bench, shading.radiance);
-    const int items = static_cast<int>(hits.size()) / w.rays(), first = shading.first ? 1 : 0;
+    const Tile& tile = shading.tile;
+    const int pairs = resolved ? (tile.blocks_x + 1) / 2 * (tile.blocks / tile.blocks_x) : 0;
+    const int items = resolved ? pairs : static_cast<int>(hits.size()) / w.rays(), first = shading.first ? 1 : 0;
     const size_t pixels = std::max<size_t>(1, static_cast<size_t>(shading.image.width * shading.image.height));
     const GuardedBuffer<float> planes[] = {{bench, pixels}, {bench, pixels}, {bench, pixels}};
     const Planes shape{shading.image.width, shading.image.height, 0, 0, shading.image.width};

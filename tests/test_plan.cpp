@@ -117,13 +117,8 @@ TEST_CASE("a tile's launches follow each other: eye, outputs, light after light,
           Steps{"generate_rays", "intersect_closest", "resolve distance", "resolve normal", "resolve id",
                 "intersect_shadow 0", "shade_light 0 sets", "intersect_shadow 1", "shade_light 1", "intersect_shadow 2",
                 "shade_light 2", "resolve radiance"});
-    // Where work-groups have no whole blocks, or the film is not the device's, resolving is a launch of its own.
+    // Where the film is not the device's, resolving is a launch of its own.
     DeviceLimits cpu;
-    cpu.max_work_group = 1;
-    RenderOptions narrow = all_outputs();
-    narrow.lanes = 4;
-    CHECK(steps_of(plan_of(scene, narrow, cpu)).back() == "resolve radiance");
-    cpu = {};
     cpu.shares_memory = false;
     CHECK(steps_of(plan_of(scene, all_outputs(), cpu)).back() == "resolve radiance");
     RenderOptions options;  // radiance only
