@@ -18,9 +18,6 @@ struct Deal {
     std::function<void(double)> progress;  ///< if not empty, is told that share, by the caller's thread
 };
 
-/// Ends when all workers have done what there was for them.
-using DealAll = std::function<void(const Deal& what)>;
-
 /// Gives every worker something to do, and again when that has ended, until nothing is left: a core that others use
 /// besides does less. Where the driver calls back on the thread that did the work, as PoCL does, no other thread takes
 /// a core for it. Throws the first error of a launch, or progress' own, when nothing is under way any more.

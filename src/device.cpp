@@ -157,6 +157,13 @@ std::string DeviceInfo::number() const {
     return parts == 0 ? whole : whole + "/" + std::to_string(parts) + "." + std::to_string(part);
 }
 
+DeviceInfo DeviceInfo::part_of(int number_of_parts, int number) const {
+    DeviceInfo info = *this;
+    info.parts = number_of_parts;
+    info.part = number;
+    return info;
+}
+
 void pin_device_threads() {
     cpu_set_t allowed;
     if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;  // more cores than a set holds
@@ -221,11 +228,9 @@ std::vector<DeviceInfo> cut(const DeviceInfo& whole, const std::string& number, 
     const cl::Platform platform = platforms().at(static_cast<size_t>(whole.platform));
     std::vector<DeviceInfo> result;
     for (const cl::Device& device : parts_of(open_whole(whole), parts)) {
-        DeviceInfo info = inspect(platform, device);
+        DeviceInfo info = inspect(platform, device).part_of(parts, static_cast<int>(result.size()));
         info.platform = whole.platform;
         info.device = whole.device;
-        info.parts = parts;
-        info.part = static_cast<int>(result.size());
         info.global_bytes /= static_cast<uint64_t>(parts);  // they share what the whole has
         result.push_back(info);
     }
@@ -260,6 +265,34 @@ std::vector<DeviceInfo> choose_devices(const std::vector<DeviceInfo>& devices,
         }
     }
     return chosen;
+}
+
+namespace {
+
+DeviceInfo whole_of(const DeviceInfo& part) {
+    DeviceInfo info = inspect(platforms().at(static_cast<size_t>(part.platform)), open_whole(part));
+    info.platform = part.platform;
+    info.device = part.device;
+    return info;
+}
+
+}  // namespace
+
+std::vector<DeviceInfo> with_cores_joined(const std::vector<DeviceInfo>& devices) {
+    std::vector<DeviceInfo> joined;
+    for (const DeviceInfo& device : devices) {
+        const auto beside = [&](const DeviceInfo& d) {
+            return d.platform == device.platform && d.device == device.device && d.parts == device.parts;
+        };
+        const bool is_core = device.parts > 0 && device.compute_units == 1;
+        if (!is_core || std::count_if(devices.begin(), devices.end(), beside) != device.parts) {
+            joined.push_back(device);
+        } else if (device.part == 0) {
+            joined.push_back(whole_of(device));
+            joined.back().cores_apart = true;
+        }
+    }
+    return joined;
 }
 
 // They are kept until the process ends: PoCL's threads may give the last event back, and look at the part that it was

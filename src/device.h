@@ -17,6 +17,7 @@ struct DeviceInfo {
     std::string name, platform_name, version, driver;
     int compute_units = 0;
     int sub_devices = 0;            ///< of one compute unit each, into which a CPU can be split; 0: it cannot be
+    bool cores_apart = false;       ///< each of these takes tiles of its own, whatever the scene
     uint64_t core_cache_bytes = 0;  ///< of the cache that a CPU's core has for itself (level 2); 0: unknown
     int native_width_float = 0;     ///< CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT
     uint64_t max_work_group = 0, global_bytes = 0, max_alloc_bytes = 0;
@@ -35,6 +36,8 @@ struct DeviceInfo {
 
     /// "P:D", or "P:D/N.I" of part I of N.
     std::string number() const;
+    /// Of a whole device, as far as it tells parts from each other and from the whole.
+    DeviceInfo part_of(int parts, int part) const;
     /// PoCL on a CPU, whose compiler is clang.
     bool is_pocl() const { return type == DeviceType::cpu && platform_name == "Portable Computing Language"; }
 };
@@ -59,5 +62,9 @@ const DeviceInfo& choose_device(const std::vector<DeviceInfo>& devices, const st
 /// when a device is asked for twice, whole or in parts, or cannot be cut like that.
 std::vector<DeviceInfo> choose_devices(const std::vector<DeviceInfo>& devices,
                                        const std::vector<std::string>& requests);
+
+/// The same devices, but for CPUs of which all cores are there, each as a part: these become one device with its
+/// `cores_apart`.
+std::vector<DeviceInfo> with_cores_joined(const std::vector<DeviceInfo>& devices);
 
 }  // namespace gnomon

@@ -29,6 +29,11 @@ int64_t shaded_lights(const Plan& plan) {
                          [](const Step& step) { return step.kernel == Kernel::shade_light; });
 }
 
+/// Those of so many pixels, and the shadow rays of so many hits.
+int64_t rays_of(const Plan& plan, int64_t pixels, int64_t hits) {
+    return pixels + (plan.shadows != Shadows::off ? shaded_lights(plan) * hits : 0);
+}
+
 void add(const Plan& plan, const std::vector<Launcher::Cost>& costs, RenderStats& stats) {
     for (const Launcher::Cost& cost : costs) {
         const auto at = std::find(plan.variants.begin(), plan.variants.end(), cost.variant) - plan.variants.begin();
@@ -40,8 +45,11 @@ void add(const Plan& plan, const std::vector<Launcher::Cost>& costs, RenderStats
 }
 
 void add(const Plan& plan, const Measured& measured, RenderStats& stats) {
-    stats.pixels = measured.pixels;
-    stats.hits = measured.hits;
+    stats.pixels = stats.hits = 0;
+    for (const Measured::Share& share : measured.shares) {
+        stats.pixels += share.pixels;
+        stats.hits += share.hits;
+    }
     for (size_t i = 0; i < plan.variants.size(); ++i) {
         KernelStats& kernel = stats.kernels[i];
         if (measured.launches[i] == 0) continue;
@@ -49,9 +57,26 @@ void add(const Plan& plan, const Measured& measured, RenderStats& stats) {
         kernel.seconds = measured.seconds[i];
         kernel.longest = measured.longest[i];
         const int64_t lights = lights_of(plan, i);
-        kernel.rays = lights > 0 ? lights * measured.hits : measured.pixels;
+        kernel.rays = lights > 0 ? lights * stats.hits : stats.pixels;
     }
-    stats.rays = stats.pixels + (plan.shadows != Shadows::off ? shaded_lights(plan) * stats.hits : 0);
+    stats.rays = rays_of(plan, stats.pixels, stats.hits);
+}
+
+/// What the device did or, where its cores are apart, each of them.
+std::vector<DeviceShare> shares_of(const DeviceInfo& device, const Plan& plan, const Measured& measured,
+                                   double seconds) {
+    std::vector<DeviceShare> shares;
+    const int parts = static_cast<int>(measured.shares.size());
+    for (const Measured::Share& share : measured.shares)
+        shares.push_back({device.part_of(parts, static_cast<int>(shares.size())), share.tiles,
+                          rays_of(plan, share.pixels, share.hits), seconds});
+    if (device.cores_apart && parts > 1) return shares;
+    DeviceShare all{device, 0, 0, seconds};
+    for (const DeviceShare& share : shares) {
+        all.tiles += share.tiles;
+        all.rays += share.rays;
+    }
+    return {all};
 }
 
 }  // namespace
@@ -86,7 +111,7 @@ RenderStats DeviceRenderer::render(const Job& job, TileQueue& queue, Film& film)
     const std::vector<cl::Kernel> kernels = build(job, stats);
     if (const int most = group_limit(job.plan); most < job.plan.local_size) {
         const Plan plan = in_smaller_groups(job, most);
-        return render({job.scene, job.survey, job.frame, plan, job.options, job.deal_all}, queue, film);
+        return render({job.scene, job.survey, job.frame, plan, job.options}, queue, film);
     }
     stats.build_seconds = now() - start;
     make_room(job.plan);
@@ -184,7 +209,7 @@ void DeviceRenderer::run(const Job& job, const std::vector<cl::Kernel>& kernels,
     Scheduler scheduler(workers_, memory_, job.plan, buffers, tiles_.get(memory_, job.plan), kernels,
                         job.plan.workers > 1 ? core_pace_ : pace_, job.options.stop, film);
     if (chunks) scheduler.take_spheres_from(*chunks);
-    const Measured run = scheduler.run(queue, ready, job.options.progress, job.deal_all);
+    const Measured run = scheduler.run(queue, ready, job.options.progress);
     add(job.plan, run, stats);
     double prepared_at = asked_at;
     for (const cl::Event& end : ready) prepared_at = std::max(prepared_at, asked_at + seconds_since_asked(end));
@@ -193,7 +218,7 @@ void DeviceRenderer::run(const Job& job, const std::vector<cl::Kernel>& kernels,
     stats.prepare_seconds = prepared_at - start;
     if (!run.undecided.empty()) decide_again(job, spheres, buffers, run.undecided, film, stats);
     stats.trace_seconds = now() - prepared_at;
-    stats.shares = {{info_, run.tiles, stats.rays, stats.trace_seconds}};
+    stats.shares = shares_of(info_, job.plan, run, stats.trace_seconds);
 }
 
 /// In float once more, where a hierarchy was walked down: how far work-items got, whose size is the device's, has a say

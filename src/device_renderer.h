@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "buffers.h"
-#include "dealer.h"
 #include "launcher.h"
 #include "program.h"
 #include "scheduler.h"
@@ -20,7 +19,6 @@ struct Job {
     const Frame& frame;
     const Plan& plan;
     const RenderOptions& options;
-    DealAll deal_all = deal;  ///< runs the workers of a plan that deals tiles
 };
 
 /// What is known before the first launch.

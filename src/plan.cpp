@@ -106,6 +106,7 @@ DeviceLimits::DeviceLimits(const DeviceInfo& info)
       max_alloc_bytes(info.max_alloc_bytes),
       compute_units(info.compute_units),
       sub_devices(info.sub_devices),
+      cores_apart(info.cores_apart),
       core_cache_bytes(info.core_cache_bytes),
       shares_memory(info.shares_memory) {
     if (info.address_bits >= 64) return;

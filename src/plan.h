@@ -19,6 +19,7 @@ struct DeviceLimits {
     uint64_t max_work_group = 4096, global_bytes = uint64_t{4} << 30, max_alloc_bytes = uint64_t{1} << 30;
     int compute_units = 2;
     int sub_devices = 2;                  ///< of a unit each, on which tiles can run; 0: none
+    bool cores_apart = false;             ///< tiles do run on these, whatever the scene
     uint64_t core_cache_bytes = 1 << 20;  ///< of a CPU's core; 0: unknown
     bool shares_memory = true;            ///< with the host: the film is written in place
 

@@ -38,8 +38,10 @@ Scheduler::Scheduler(const Workers& workers, const DeviceMemory& memory, const P
       units_(workers.units(plan.workers)),
       film_(film),
       undecided_(memory, plan, plan.certified ? blocks_of(plan) : 1) {
-    for (const TileBuffers& buffers : tiles)
-        slots_.push_back({workers_[slots_.size() % workers_.size()], buffers, {}, 0, plan.steps.size(), 0});
+    for (const TileBuffers& buffers : tiles) {
+        const size_t worker = slots_.size() % workers_.size();
+        slots_.push_back({worker, workers_[worker], buffers, {}, 0, plan.steps.size(), 0});
+    }
     for (const Variant& variant : plan.variants) paces_.push_back(&pace.of(variant.name()));
     for (size_t i = 0; i < workers_.size(); ++i)
         launches_.emplace_back(pace, stop,
@@ -47,6 +49,8 @@ Scheduler::Scheduler(const Workers& workers, const DeviceMemory& memory, const P
     measured_.launches.resize(plan.variants.size());
     measured_.seconds.resize(plan.variants.size());
     measured_.longest.resize(plan.variants.size());
+    measured_.shares.resize(workers_.size());
+    workers_of_tiles_.resize(plan.tiles.size());
     int blocks = 0;
     for (const Tile& tile : plan.tiles) {
         first_blocks_.push_back(blocks);
@@ -60,7 +64,7 @@ Scheduler::Scheduler(const Workers& workers, const DeviceMemory& memory, const P
 }
 
 Measured Scheduler::run(TileQueue& tiles, const std::vector<cl::Event>& after,
-                        const std::function<void(double)>& progress, const DealAll& deal_all) {
+                        const std::function<void(double)>& progress) {
     tiles_ = &tiles;
     std::vector<int> hits(static_cast<size_t>(groups_));
     // Commands under way write into the film and the counts: never leave before they have ended.
@@ -78,14 +82,14 @@ Measured Scheduler::run(TileQueue& tiles, const std::vector<cl::Event>& after,
     queue_.flush();  // or other queues might wait for it forever (OpenCL 1.2, 5.13)
     for (Slot& slot : slots_) slot.busy = ready;
     if (deals_tiles(plan_))
-        deal_all(deal_to_cores(progress));
+        deal_to_workers(progress);
     else
         run_ahead(progress);
     queue_.enqueueReadBuffer(hit_counts_, CL_FALSE, 0, hits.size() * sizeof(int), hits.data());
     if (plan_.write_in_place) map_film();
     if (plan_.certified) measured_.undecided = pixels_of(undecided_.read(queue_), plan_.tiles, plan_.image);
     queue_.finish();
-    measured_.hits = std::accumulate(hits.begin(), hits.end(), int64_t{0});
+    count_hits(hits);
     return measured_;
 }
 
@@ -106,7 +110,7 @@ void Scheduler::run_ahead(const std::function<void(double)>& progress) {
 
 /// Each core works on a tile of its own, and takes the next one itself. It does so where the driver calls back, and
 /// must not wait there.
-Deal Scheduler::deal_to_cores(const std::function<void(double)>& progress) {
+void Scheduler::deal_to_workers(const std::function<void(double)>& progress) {
     for (const Step& step : plan_.steps)
         if (!paces_[static_cast<size_t>(step.variant)]->is_loaded())
             launches_.front().load(slots_.front().queue, work(slots_.front(), step));
@@ -116,7 +120,7 @@ Deal Scheduler::deal_to_cores(const std::function<void(double)>& progress) {
         launches_[worker].measure_all();
         return share_;
     };
-    return turns;
+    deal(turns);
 }
 
 /// What is taken too early another device cannot take.
@@ -132,15 +136,17 @@ bool Scheduler::take_tile(Slot& slot) {
     const std::optional<size_t> next = tiles_->take();
     if (!next) return false;
     slot.tile = *next;
+    workers_of_tiles_[slot.tile] = slot.worker;
     slot.step = 0;
     slot.item = 0;
     const Tile& tile = tile_of(slot);
     taken_items_ += plan_.items(plan_.steps.back().kernel, tile);
     due_.push_back(taken_items_);
     const auto inside = [](int from, int blocks, int size) { return std::min(blocks * BLOCK_SIDE, size - from); };
-    measured_.tiles += 1;
-    measured_.pixels += int64_t{inside(tile.x, tile.blocks_x, plan_.image.width)} *
-                        inside(tile.y, tile.blocks / tile.blocks_x, plan_.image.height);
+    Measured::Share& share = measured_.shares[slot.worker];
+    share.tiles += 1;
+    share.pixels += int64_t{inside(tile.x, tile.blocks_x, plan_.image.width)} *
+                    inside(tile.y, tile.blocks / tile.blocks_x, plan_.image.height);
     return true;
 }
 
@@ -243,6 +249,15 @@ void Scheduler::read_planes(Output output, const Tile& tile, Slot& slot) {
     cl::Event all;
     slot.queue.enqueueMarkerWithWaitList(&slot.busy, &all);
     slot.busy = {all};
+}
+
+void Scheduler::count_hits(const std::vector<int>& of_groups) {
+    for (size_t tile = 0; tile < first_groups_.size(); ++tile) {
+        const auto begin = of_groups.begin() + first_groups_[tile];
+        const auto end =
+            tile + 1 < first_groups_.size() ? of_groups.begin() + first_groups_[tile + 1] : of_groups.end();
+        measured_.shares[workers_of_tiles_[tile]].hits += std::accumulate(begin, end, int64_t{0});
+    }
 }
 
 /// Adds up what launches took. By those of the last step, whose tags are beyond the variants, it is known how much is

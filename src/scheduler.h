@@ -21,13 +21,16 @@ namespace gnomon {
 /// spheres together with others. There is then no thread of ours that takes a core from them.
 bool deals_tiles(const Plan& plan);
 
-/// What a run measured: for each variant of the plan launches, device seconds, and those of the longest launch; and how
-/// many eye rays hit.
+/// What a run measured: for each variant of the plan launches, device seconds, and those of the longest launch.
 struct Measured {
     std::vector<int> launches;
     std::vector<double> seconds, longest;
-    int tiles = 0;  ///< that were taken
-    int64_t pixels = 0, hits = 0;
+    /// What a worker did: tiles that it took.
+    struct Share {
+        int tiles = 0;
+        int64_t pixels = 0, hits = 0;
+    };
+    std::vector<Share> shares;   ///< of the workers
     std::vector<int> undecided;  ///< pixels, as places in the image row by row, in any order
 };
 
@@ -43,15 +46,14 @@ class Scheduler {
     /// Where the spheres are if the plan cuts the scene.
     void take_spheres_from(ChunkedSpheres& chunks) { chunks_ = &chunks; }
 
-    /// Launches everything that the queue hands out, after these events, and waits for it. If the plan deals tiles,
-    /// `deal_all` is called once, when all is ready for the first.
-    Measured run(TileQueue& tiles, const std::vector<cl::Event>& after, const std::function<void(double)>& progress,
-                 const DealAll& deal_all);
+    /// Launches everything that the queue hands out, after these events, and waits for it.
+    Measured run(TileQueue& tiles, const std::vector<cl::Event>& after, const std::function<void(double)>& progress);
 
   private:
-    /// A tile under way: the queue of its worker, its buffers, the events after which they are free, and what is to be
-    /// launched next.
+    /// A tile under way: its worker and the queue of that, its buffers, the events after which they are free, and what
+    /// is to be launched next.
     struct Slot {
+        size_t worker;
         cl::CommandQueue queue;
         TileBuffers buffers;
         std::vector<cl::Event> busy;
@@ -61,7 +63,7 @@ class Scheduler {
     };
 
     void run_ahead(const std::function<void(double)>& progress);
-    Deal deal_to_cores(const std::function<void(double)>& progress);
+    void deal_to_workers(const std::function<void(double)>& progress);
     bool take_tile(Slot& slot);
     void await_room();
     cl::Event launch_turn(size_t worker);
@@ -76,6 +78,7 @@ class Scheduler {
     void look_up_albedos(const Tile& tile, Slot& slot);
     const SphereBuffers& resident_spheres(const Step& step) const;
     void read_planes(Output output, const Tile& tile, Slot& slot);
+    void count_hits(const std::vector<int>& of_groups);
     void ended(int tag, int64_t items, double seconds);
     void map_film();
 
@@ -95,6 +98,7 @@ class Scheduler {
     cl::Buffer hit_counts_;           // for each work-group of intersect_closest, tile after tile
     UndecidedRays undecided_;
     std::vector<int> first_groups_, first_blocks_;  // of each tile, in hit_counts_ and in all tiles' blocks
+    std::vector<size_t> workers_of_tiles_;          // who took each
     int groups_ = 0;                                // of all tiles
     // Work-items of the last step: of all tiles, of those that were taken, and those that have ended.
     int64_t last_items_ = 0, taken_items_ = 0, done_items_ = 0;

@@ -45,27 +45,6 @@ void share_tiles(std::vector<Plan>& plans, const std::vector<DeviceLimits>& limi
 
 std::string name_of(const DeviceInfo& device) { return device.number() + " " + device.name; }
 
-/// Parts of a CPU work while the caller's thread waits, as the cores of a whole one do: threads of ours would wait for
-/// cores that parts work on, and these for them. What certified decides again each does by itself, at once.
-bool share_one_thread(const std::vector<Plan>& plans) {
-    return std::all_of(plans.begin(), plans.end(),
-                       [](const Plan& plan) { return deals_tiles(plan) && !plan.certified; });
-}
-
-/// The workers of several deals, which must live as long.
-Deal together(const std::vector<Deal>& deals) {
-    struct Worker {
-        const Deal& deal;
-        size_t number;
-    };
-    std::vector<Worker> workers;
-    for (const Deal& its : deals)
-        for (size_t number = 0; number < its.workers; ++number) workers.push_back({its, number});
-    const auto launch = [workers](size_t i) { return workers[i].deal.launch(workers[i].number); };
-    const auto ended = [workers](size_t i) { return workers[i].deal.ended(workers[i].number); };
-    return {workers.size(), launch, ended, deals.front().progress};
-}
-
 /// What a member did, added to what others did at the same time.
 void add(const RenderStats& member, RenderStats& all) {
     all.planned_bytes += member.planned_bytes;
@@ -107,7 +86,7 @@ std::vector<RenderStats> results_of(std::vector<std::future<RenderStats>>& runni
 
 Team::Team(const std::vector<DeviceInfo>& devices) {
     if (devices.empty()) throw Error(Blame::run, "no device to render on");
-    for (const DeviceInfo& device : devices) {
+    for (const DeviceInfo& device : with_cores_joined(devices)) {
         check_usable(device);
         try {
             members_.push_back(std::make_unique<DeviceRenderer>(device));
@@ -137,41 +116,11 @@ RenderStats Team::render(const Scene& scene, const Survey& survey, const Frame& 
                          const RenderOptions& options, Film& film) {
     TileQueue queue(plans.front().tiles.size());
     if (!has_several()) return members_.front()->render({scene, survey, frame, plans.front(), options}, queue, film);
-    std::vector<RenderStats> results;
     const auto job = [&](size_t i, const RenderOptions& its) { return Job{scene, survey, frame, plans[i], its}; };
-    if (share_one_thread(plans))
-        results = render_in_turn(job, options, queue, film);
-    else
-        results = render_at_once(job, options, queue, film);
+    const std::vector<RenderStats> results = render_at_once(job, options, queue, film);
     RenderStats all = results.front();
     for (size_t i = 1; i < results.size(); ++i) add(results[i], all);
     return all;
-}
-
-/// Each member prepares itself, then the next one does; the last deals to the workers of all.
-std::vector<RenderStats> Team::render_in_turn(const MakeJob& make_job, const RenderOptions& options, TileQueue& queue,
-                                              Film& film) {
-    std::vector<RenderStats> results(members_.size());
-    std::vector<Deal> deals;
-    const std::function<void(size_t)> render = [&](size_t i) {
-        if (i == members_.size()) return deal_to_all(deals);
-        Job job = make_job(i, options);
-        job.deal_all = [&, i](const Deal& its) {
-            deals.push_back(its);
-            render(i + 1);
-        };
-        results[i] = members_[i]->render(job, queue, film);
-    };
-    render(0);
-    return results;
-}
-
-void Team::deal_to_all(const std::vector<Deal>& deals) const try {
-    deal(together(deals));
-} catch (const cl::Error& error) {
-    std::string names;
-    for (const auto& member : members_) names += (names.empty() ? "" : ", ") + name_of(member->info());
-    throw Error(Blame::run, describe(error), names);
 }
 
 /// Each member in a thread of its own.

@@ -9,7 +9,8 @@
 
 namespace gnomon {
 
-/// Each device has the spheres, and a hierarchy over them, to itself, and takes a tile when it is free.
+/// Each device has the spheres, and a hierarchy over them, to itself, and takes a tile when it is free. The cores of a
+/// CPU, when all are there, are one device, whose spheres they share.
 class Team {
   public:
     /// Throws Error with the name of the device that fails.
@@ -29,9 +30,6 @@ class Team {
   private:
     using MakeJob = std::function<Job(size_t member, const RenderOptions& options)>;
 
-    std::vector<RenderStats> render_in_turn(const MakeJob& make_job, const RenderOptions& options, TileQueue& queue,
-                                            Film& film);
-    void deal_to_all(const std::vector<Deal>& deals) const;
     std::vector<RenderStats> render_at_once(const MakeJob& make_job, const RenderOptions& options, TileQueue& queue,
                                             Film& film);
 

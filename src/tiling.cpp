@@ -120,6 +120,7 @@ Tiling for_team(const ImageSize& image, int workers, int rays) {
 
 Tiling choose_tiling(const ImageSize& image, int asked, bool even, int real_bytes, const DeviceLimits& limits) {
     check(asked);
+    if (limits.cores_apart) return for_cores(image, asked, real_bytes, limits);
     if (even && limits.sub_devices > 1 && limits.sub_devices <= most_workers) {
         const Tiling shared = for_cores(image, asked, real_bytes, limits);
         if (shared.tiles.size() >= 2 * static_cast<size_t>(shared.workers)) return shared;

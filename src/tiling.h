@@ -23,7 +23,8 @@ int64_t core_tile_rays(int real_bytes, const DeviceLimits& limits);
 Tiling for_team(const ImageSize& image, int workers, int rays);
 
 /// Tiles as the device likes them best, or of `asked` rays at most if that is not 0. Cores work on a tile each where
-/// that pays: each gets two or more, and no tile may take many times as long as another of as many rays (`even`).
+/// that pays: each gets two or more, and no tile may take many times as long as another of as many rays (`even`); or
+/// where they are apart.
 /// Throws Error(Blame::input) for a tile that cannot be.
 Tiling choose_tiling(const ImageSize& image, int asked, bool even, int real_bytes, const DeviceLimits& limits);
 

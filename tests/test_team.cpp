@@ -30,34 +30,45 @@ std::vector<DeviceInfo> halves() {
     return {};
 }
 
+DeviceInfo whole_of(const DeviceInfo& part) {
+    return choose_device(list_devices(), part.number().substr(0, part.number().find('/')));
+}
+
+/// Both halves, which are one device if they are cores; and a device with a half of itself, which are two.
+std::vector<std::vector<DeviceInfo>> teams() {
+    const std::vector<DeviceInfo> parts = halves();
+    if (parts.empty()) return {};  // no device here can be cut
+    return {parts, {whole_of(parts[0]), parts[1]}};
+}
+
 }  // namespace
 
-TEST_CASE("team: two parts of a device make the same bits as the whole, in every accuracy", "[team]") {
-    const std::vector<DeviceInfo> parts = halves();
-    if (parts.empty()) return;  // no device here can be cut
-    REQUIRE(parts.size() == 2);
-    Renderer alone(choose_device(list_devices(), parts[0].number().substr(0, parts[0].number().find('/'))));
-    Renderer both(parts);
-    for (const Accuracy accuracy : available_accuracies(parts.front()))
-        for (const int spheres : {60, 600}) {
-            if (accuracy == Accuracy::fast) continue;  // promises no bits
-            INFO(to_string(accuracy) << ", " << spheres << " spheres");
-            RenderOptions options;
-            options.accuracy = accuracy;
-            options.tile = 1 << 12;
-            options.outputs = {true, true, true, true};
-            Film one, two;
-            const RenderStats whole = alone.render(lit(spheres), options, one),
-                              shared = both.render(lit(spheres), options, two);
-            CHECK(same_bits(one, two));
-            CHECK(shared.hits == whole.hits);
-            CHECK(shared.rays == whole.rays);
-            CHECK(shared.undecided == whole.undecided);
-            REQUIRE(shared.shares.size() == 2);
-            CHECK(shared.shares[0].tiles + shared.shares[1].tiles == shared.tiles);
-            CHECK(shared.shares[0].rays + shared.shares[1].rays == shared.rays);
-            CHECK(shared.shares[1].device.number() == parts[1].number());
-        }
+TEST_CASE("team: two devices make the same bits as one, in every accuracy", "[team]") {
+    for (const std::vector<DeviceInfo>& two_devices : teams()) {
+        REQUIRE(two_devices.size() == 2);
+        INFO(two_devices[0].number() << ", " << two_devices[1].number());
+        Renderer alone(whole_of(two_devices[0])), both(two_devices);
+        for (const Accuracy accuracy : available_accuracies(two_devices.front()))
+            for (const int spheres : {60, 600}) {
+                if (accuracy == Accuracy::fast) continue;  // promises no bits
+                INFO(to_string(accuracy) << ", " << spheres << " spheres");
+                RenderOptions options;
+                options.accuracy = accuracy;
+                options.tile = 1 << 12;
+                options.outputs = {true, true, true, true};
+                Film one, two;
+                const RenderStats whole = alone.render(lit(spheres), options, one),
+                                  shared = both.render(lit(spheres), options, two);
+                CHECK(same_bits(one, two));
+                CHECK(shared.hits == whole.hits);
+                CHECK(shared.rays == whole.rays);
+                CHECK(shared.undecided == whole.undecided);
+                REQUIRE(shared.shares.size() == 2);
+                CHECK(shared.shares[0].tiles + shared.shares[1].tiles == shared.tiles);
+                CHECK(shared.shares[0].rays + shared.shares[1].rays == shared.rays);
+                CHECK(shared.shares[1].device.number() == two_devices[1].number());
+            }
+    }
 }
 
 TEST_CASE("team: each part of a device has tiles to make", "[team]") {
@@ -75,17 +86,39 @@ TEST_CASE("team: each part of a device has tiles to make", "[team]") {
 }
 
 TEST_CASE("team: where the spheres go through the devices in chunks the bits stay the same", "[team]") {
-    const std::vector<DeviceInfo> parts = halves();
-    if (parts.empty()) return;  // no device here can be cut
-    Renderer both(parts), alone(parts.front());
-    const Scene scene = lit(20'000);
-    RenderOptions options;
-    options.tile = 1 << 12;
-    Film whole, cut;
-    alone.render(scene, options, whole);
-    options.memory = uint64_t{1} << 20;
-    CHECK(both.render(scene, options, cut).chunks > 1);
-    CHECK(same_bits(whole, cut));
+    for (const std::vector<DeviceInfo>& two_devices : teams()) {
+        Renderer both(two_devices), alone(two_devices.front());
+        const Scene scene = lit(20'000);
+        RenderOptions options;
+        options.tile = 1 << 12;
+        Film whole, cut;
+        alone.render(scene, options, whole);
+        options.memory = uint64_t{1} << 20;
+        CHECK(both.render(scene, options, cut).chunks > 1);
+        CHECK(same_bits(whole, cut));
+    }
+}
+
+TEST_CASE("team: all cores of a device are one, but each has tiles of its own", "[team][device]") {
+    const std::vector<DeviceInfo> all = list_devices();
+    CHECK(with_cores_joined(all).size() == all.size());
+    for (const DeviceInfo& device : all) {
+        if (device.sub_devices == 0) continue;
+        const std::vector<DeviceInfo> cores =
+            choose_devices(all, {device.number() + "/" + std::to_string(device.sub_devices)});
+        const std::vector<DeviceInfo> joined = with_cores_joined(cores);
+        REQUIRE(joined.size() == 1);
+        CHECK((joined[0].number() == device.number() && joined[0].cores_apart));
+        CHECK(joined[0].global_bytes == device.global_bytes);
+        const std::vector<DeviceInfo> most(cores.begin() + 1, cores.end());
+        CHECK(with_cores_joined(most).size() == most.size());
+        // One tile is all cores' work.
+        Scene scene = lit(60);
+        scene.image = {16, 16};
+        Film film;
+        const std::vector<DeviceShare> shares = Renderer(cores).render(scene, {}, film).shares;
+        CHECK((shares.size() == 1 && shares[0].device.number() == device.number()));
+    }
 }
 
 TEST_CASE("team: tiles for several workers cover the image, fit, and become smaller", "[team][tiling]") {
@@ -143,7 +176,7 @@ TEST_CASE("team: the program says who did what, and an error which device it is 
     const TempFolder folder;
     const std::string one = folder / "one.png", two = folder / "two.png", json = folder / "stats.json";
     REQUIRE(render_small("--device " + whole + " -o " + quoted(one)).code == 0);
-    const Ran ran = render_small("--device " + whole + "/2 -o " + quoted(two) + " --stats " + quoted(json));
+    const Ran ran = render_small("--tile 128 --device " + whole + "/2 -o " + quoted(two) + " --stats " + quoted(json));
     CHECK(ran.code == 0);
     CHECK(contains(ran.out, whole + "/2.0: "));
     CHECK(contains(ran.out, whole + "/2.1: "));
