@@ -9,7 +9,7 @@
 
 #if !REAL_IS_DOUBLE
 // The few hits of the sphere that graze it get the distance that strict pictures have.
-static inline void mend_grazed(PencilSphere s, const vec3w* dir, real edge, Hit* hit) {
+INLINE void mend_grazed(PencilSphere s, const vec3w* dir, real edge, Hit* hit) {
     Packets own = copies_of(dir, hit);
     const SphereRests rests = rests_of(s);
     ONE_PACKET_AT_A_TIME(k) {
@@ -23,7 +23,7 @@ static inline void mend_grazed(PencilSphere s, const vec3w* dir, real edge, Hit*
 #endif
 
 // As there, but only what bounds settle is a hit; of all else is kept where it may begin.
-static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Bounds* bounds) {
+INLINE int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Bounds* bounds) {
     const Doubt doubt = doubt_of(s, base);
     realw b[PACKETS], discriminant[PACKETS];
     wholew near[PACKETS], any = 0;
@@ -62,11 +62,11 @@ static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hi
 }
 
 // What begins beyond cannot come before the hit.
-static inline realw reaches(Hit hit) { return fma(hit.t, wide(MOST_OFF), hit.t); }
+INLINE realw reaches(Hit hit) { return fma(hit.t, wide(MOST_OFF), hit.t); }
 
 // Whether it is certain what the ray meets, if that may be off by so much: whatever else there is begins beyond. A miss
 // must have met nothing at all. What is added to t's own doubt (position_doubt) is nothing beside it.
-static inline wholew is_certain(wholew hits, Hit hit, realw other, realw off) {
+INLINE wholew is_certain(wholew hits, Hit hit, realw other, realw off) {
     return other > choose(hits, hit.t + off, wide(MAXFLOAT));
 }
 

@@ -17,14 +17,13 @@ typedef struct {
 
 // The normal is off by what the position is, the centre's rounding, u |f| <= u (t + r), and its own, over the radius;
 // 3/2 of that serves while it is below 1/2.
-static inline LightDoubt doubt_at(LightPencil light, real position, real curvature, real base) {
+INLINE LightDoubt doubt_at(LightPencil light, real position, real curvature, real base) {
     const real share = position * curvature;
     const real normal = share < 0.5f ? fma((real)1.5f, share, 12 * ROUNDING) : INFINITY;
     return light_doubt(light, position, normal, base);
 }
 
-static inline Certainty certainty_of(LightPencil light, global const real* doubts, real base, Undecided undecided,
-                                     int item) {
+INLINE Certainty certainty_of(LightPencil light, global const real* doubts, real base, Undecided undecided, int item) {
     const int place = doubts_place(undecided.first_word, item);
     const real curvature = doubts[place + 1];
     return (Certainty){doubt_at(light, doubts[place], curvature, base), curvature, base, undecided};
@@ -32,7 +31,7 @@ static inline Certainty certainty_of(LightPencil light, global const real* doubt
 
 #if DOUBT_RAYS > 1
 // How far the position of each hit of packet k may be off by itself.
-static inline realw own_positions(Hits hits, Certainty certainty, int item, int k) {
+INLINE realw own_positions(Hits hits, Certainty certainty, int item, int k) {
     return position_doubt(load_r(hits.ts, item, k), load_3(hits.dirs, item, k), load_3(hits.normals, item, k),
                           MOST_STEEP, certainty.base);
 }
@@ -40,8 +39,8 @@ static inline realw own_positions(Hits hits, Certainty certainty, int item, int 
 
 // Which of the hits in `open`, bits of the work-item, may not face the light by their own doubts. They are few, and
 // this works on copies, so that everything else stays in registers.
-static inline ulong facing_alone(Hits hits, LightPencil light, const ShadowRay* ray, Certainty certainty, int item,
-                                 ulong open) {
+INLINE ulong facing_alone(Hits hits, LightPencil light, const ShadowRay* ray, Certainty certainty, int item,
+                          ulong open) {
 #if DOUBT_RAYS == 1
     return open;
 #else
@@ -64,8 +63,8 @@ static inline ulong facing_alone(Hits hits, LightPencil light, const ShadowRay* 
 
 // As `unshadowed`; adds the hits that may not face the light by what all have in common to `open`, as bits of the
 // work-item.
-static inline realw certainly_unshadowed(Hits hits, LightPencil light, ShadowRay ray, Certainty certainty, int item,
-                                         int k, ulong* open) {
+INLINE realw certainly_unshadowed(Hits hits, LightPencil light, ShadowRay ray, Certainty certainty, int item, int k,
+                                  ulong* open) {
     const wholew hit = load_i(hits.ids, item, k) >= 0;
     if (!any_lane(hit)) return wide(0.0f);
     const vec3w position = position_of(hits, item, k), normal = load_3(hits.normals, item, k);
@@ -74,8 +73,8 @@ static inline realw certainly_unshadowed(Hits hits, LightPencil light, ShadowRay
 }
 
 // As `occlude`, for hits of the group, where that is certain; where it is not, `unsure` says so.
-static inline int certainly_occlude(PencilSphere s, const ShadowRay* ray, Edge edge, const wholew* id,
-                                    const wholew* group, wholew* unsure, realw* share) {
+INLINE int certainly_occlude(PencilSphere s, const ShadowRay* ray, Edge edge, const wholew* id, const wholew* group,
+                             wholew* unsure, realw* share) {
     wholew any = 0, changed = 0;
     FOR_PACKETS(k) any |= group[k] & (share[k] > 0.0f) & (id[k] != s.id) & line_may_meet(s, ray[k], edge);
     if (!any_lane(any)) return 0;
@@ -92,8 +91,8 @@ static inline int certainly_occlude(PencilSphere s, const ShadowRay* ray, Edge e
 
 #if DOUBT_RAYS > 1
 // The same for one ray of a packet, by its own doubts: 1 if it is occluded, 2 if that is open.
-static inline int trace_alone(Hierarchy hierarchy, FatShadowRay fat, RayDoubt most, ShadowRay ray, LightDoubt own,
-                              int id, int lane) {
+INLINE int trace_alone(Hierarchy hierarchy, FatShadowRay fat, RayDoubt most, ShadowRay ray, LightDoubt own, int id,
+                       int lane) {
     const RayDoubt alone = own_ray_doubt(own, ray, lane);
     int open = 0;
     Traversal traversal = begin(hierarchy, fat);
@@ -111,8 +110,8 @@ static inline int trace_alone(Hierarchy hierarchy, FatShadowRay fat, RayDoubt mo
 
 // Of the rays in `open`, bits of the work-item, those that are open even so; `occluded` gets those that are occluded.
 // They are few, and this works on copies, so that everything else stays in registers.
-static inline ulong trace_each_alone(Hits hits, Hierarchy hierarchy, LightPencil light, FatShadowRay fat, RayDoubt most,
-                                     const ShadowRay* ray, Certainty certainty, int item, ulong open, ulong* occluded) {
+INLINE ulong trace_each_alone(Hits hits, Hierarchy hierarchy, LightPencil light, FatShadowRay fat, RayDoubt most,
+                              const ShadowRay* ray, Certainty certainty, int item, ulong open, ulong* occluded) {
     ShadowRay rays[PACKETS];
     FOR_PACKETS(k) rays[k] = ray[k];
     ulong left = 0, closed = 0;
@@ -132,9 +131,8 @@ static inline ulong trace_each_alone(Hits hits, Hierarchy hierarchy, LightPencil
 #endif
 
 // As `trace_group`. What is certainly occluded is so whatever else is unsure.
-static inline void trace_certain_group(Hierarchy hierarchy, FatShadowRay fat, RayDoubt most, const ShadowRay* ray,
-                                       LightDoubt doubt, const wholew* id, const wholew* group, wholew* unsure,
-                                       realw* share) {
+INLINE void trace_certain_group(Hierarchy hierarchy, FatShadowRay fat, RayDoubt most, const ShadowRay* ray,
+                                LightDoubt doubt, const wholew* id, const wholew* group, wholew* unsure, realw* share) {
     Traversal traversal = begin(hierarchy, fat);
     for (int c; (c = next_cluster(hierarchy, &traversal, fat)) >= 0;)
         for (int rest = certain_shadow_candidates(fat, most, hierarchy.clusters + c); rest; rest &= rest - 1) {
@@ -145,8 +143,8 @@ static inline void trace_certain_group(Hierarchy hierarchy, FatShadowRay fat, Ra
 }
 
 // Takes from the hits of a group what is certainly occluded; leaves undecided what is open.
-static inline void trace_certainly(Hits hits, Hierarchy hierarchy, LightPencil light, const ShadowRay* ray,
-                                   Certainty certainty, int item, const wholew* id, const wholew* group, realw* share) {
+INLINE void trace_certainly(Hits hits, Hierarchy hierarchy, LightPencil light, const ShadowRay* ray,
+                            Certainty certainty, int item, const wholew* id, const wholew* group, realw* share) {
     const int face = face_of(light, ray, group);
     const RayDoubt most = ray_doubt(certainty.doubt, ray, group);
     const FatShadowRay fat = widened(fat_shadow_ray(light, face, ray, group), light, face, most);

@@ -39,10 +39,10 @@ typedef struct {
 } Doubt;
 
 // At least |f|, and no more than sqrt(3) times as much.
-static inline real distance_of(PencilSphere s) { return fabs(s.center.x) + fabs(s.center.y) + fabs(s.center.z); }
+INLINE real distance_of(PencilSphere s) { return fabs(s.center.x) + fabs(s.center.y) + fabs(s.center.z); }
 
 // At least r: of floats, which have no root at hand, more by 2^-17 |f|.
-static inline real radius_of(PencilSphere s) {
+INLINE real radius_of(PencilSphere s) {
 #if REAL_IS_DOUBLE
     return root_of(s.r2);
 #else
@@ -56,28 +56,28 @@ typedef struct {
     real rest;
 } DiscriminantDoubt;
 
-static inline DiscriminantDoubt discriminant_doubt(PencilSphere s, real radius, real power_off) {
+INLINE DiscriminantDoubt discriminant_doubt(PencilSphere s, real radius, real power_off) {
     if (is_apart(s)) return (DiscriminantDoubt){2 * radius, 12 * ROUNDING * s.r2};
     const real power = fabs(s.power);
     return (DiscriminantDoubt){2 * root_of(power), fma(12 * ROUNDING, power, 2 * power_off)};
 }
 
 // What C is off by beside 4 u of itself.
-static inline real power_doubt(PencilSphere s, real distance, real radius, real base) {
+INLINE real power_doubt(PencilSphere s, real distance, real radius, real base) {
     return 16 * base * (distance + radius) + POWER_ROUNDING * (distance * distance + s.r2);
 }
 // Whether the apex is surely outside the sphere, or surely inside.
-static inline int surely_outside(PencilSphere s, real power_off) { return s.power > 2 * power_off; }
-static inline int surely_inside(PencilSphere s, real power_off) { return -s.power > 2 * power_off; }
+INLINE int surely_outside(PencilSphere s, real power_off) { return s.power > 2 * power_off; }
+INLINE int surely_inside(PencilSphere s, real power_off) { return -s.power > 2 * power_off; }
 
 // Where it is not sure that the sphere is missed: D may be 0 or above and, from outside, the centre may lie ahead.
-static inline wholew may_be_met(PencilSphere s, Doubt doubt, realw b, realw discriminant) {
+INLINE wholew may_be_met(PencilSphere s, Doubt doubt, realw b, realw discriminant) {
     const real behind = surely_outside(s, doubt.power) ? -doubt.shift : -INFINITY;
     return !((discriminant < -doubt.discriminant) | (b < behind));
 }
 
 // Seen from the eye, whose place is off by `base`.
-static inline Doubt doubt_of(PencilSphere s, real base) {
+INLINE Doubt doubt_of(PencilSphere s, real base) {
     const real distance = distance_of(s), radius = radius_of(s);
     const real shift = fma(EYE_TURN + 12 * ROUNDING, distance, 4 * base);
     const real power = power_doubt(s, distance, radius, base);
@@ -98,7 +98,7 @@ typedef struct {
 #define MOST_STEEP (40 * ROUNDING)
 #endif
 
-static inline RootDoubt root_doubt(PencilSphere s, Doubt doubt) {
+INLINE RootDoubt root_doubt(PencilSphere s, Doubt doubt) {
     const int outside = surely_outside(s, doubt.power);
     const real steep = 25 * ROUNDING + EYE_TURN + quotient_of(3 * doubt.power, fabs(s.power));
     const real least = MORE((real)(1 / STEEPEST), steep * (2 / MOST_OFF));
@@ -115,7 +115,7 @@ static inline RootDoubt root_doubt(PencilSphere s, Doubt doubt) {
 
 // At least 1 / x, and no more than 9/8 of it, for x > 0 that is no smaller than 2^-126. With x = 2^e (1 + m), the
 // difference of the bits is 2^(-e - 1) (2 - m), and (1 + m) (2 - m) / 2 lies between 1 and 9/8.
-static inline realw reciprocal_bound(realw x) {
+INLINE realw reciprocal_bound(realw x) {
 #if REAL_IS_DOUBLE
     return divide(wide(1.0f), x);
 #else
@@ -125,7 +125,7 @@ static inline realw reciprocal_bound(realw x) {
 
 // How far the position of a plain meeting may be off: by t's doubt along the ray and, the ray's turn and two roundings,
 // by 8 u t across it; 12 u t more is what a light's pencil rounds (parallel_pencil.h).
-static inline realw position_doubt(realw t, vec3w dir, vec3w normal, real steep, real base) {
+INLINE realw position_doubt(realw t, vec3w dir, vec3w normal, real steep, real base) {
     const realw x = reciprocal_bound(fabs(dot_w(dir, normal)));
     return fma(t, fma(wide(1.3f * steep), x, wide(steep + 20 * ROUNDING)), wide(base));
 }
@@ -137,15 +137,13 @@ typedef struct {
 } Undecided;
 
 // A mask of packet k as bits of its work-item.
-static inline ulong bits_of_packet(wholew which, int k) {
-    return (ulong)(uint)lane_bits(ints_of(which)) << (k * LANES);
-}
+INLINE ulong bits_of_packet(wholew which, int k) { return (ulong)(uint)lane_bits(ints_of(which)) << (k * LANES); }
 
 #if CERTIFIED
 // What lights must know of hits that are not undecided, of DOUBT_RAYS neighbouring rays together (those of a block, or
 // each ray alone, so that it does not depend on LANES): how far the position of any may be off, and the most curved
 // sphere, 1 / radius, as far as the normal tells. Where they are several work-items', both are 0 before.
-static inline int doubts_place(int first_word, int item) {
+INLINE int doubts_place(int first_word, int item) {
     return 2 * (int)(((ulong)first_word * 32 + (ulong)item * (LANES * PACKETS)) / DOUBT_RAYS);
 }
 #if REAL_IS_DOUBLE
@@ -153,7 +151,7 @@ static inline int doubts_place(int first_word, int item) {
 #else
 #define MOST_OF(v) REDUCE(most, v)
 #endif
-static inline void keep_doubts(realw position, realw curvature, global real* doubts, int place) {
+INLINE void keep_doubts(realw position, realw curvature, global real* doubts, int place) {
 #if LANES * PACKETS >= DOUBT_RAYS
     doubts[place] = MOST_OF(position);
     doubts[place + 1] = MOST_OF(curvature);
@@ -164,7 +162,7 @@ static inline void keep_doubts(realw position, realw curvature, global real* dou
 }
 #endif
 
-static inline void leave_undecided(ulong rays, Undecided undecided, int item) {
+INLINE void leave_undecided(ulong rays, Undecided undecided, int item) {
     if (!rays) return;
     const uint first = (uint)item * (LANES * PACKETS);
     global uint* word = undecided.words + undecided.first_word + first / 32;

@@ -18,7 +18,7 @@ typedef struct {
     real steep;            // of all spheres that they hit: certify.h
 } Bounds;
 
-static inline Hit no_hit(void) {
+INLINE Hit no_hit(void) {
     const Hit hit = {wide(INFINITY), (wholew)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}};
     return hit;
 }
@@ -29,7 +29,7 @@ typedef struct {
     Hit hit[PACKETS];
 } Packets;
 
-static inline Packets copies_of(const vec3w* dir, const Hit* hit) {
+INLINE Packets copies_of(const vec3w* dir, const Hit* hit) {
     Packets copies;
     FOR_PACKETS(k) {
         copies.dir[k] = dir[k];
@@ -43,7 +43,7 @@ static inline Packets copies_of(const vec3w* dir, const Hit* hit) {
 // Whether a sphere that the rays meet could be closer to one of them than what they hit so far: no root is nearer than
 // b - r but for roundings, which `reach` allows for (reach.h). Few spheres meet all rays of a block or none, so that a
 // branch for each packet would only be guessed wrong; many are small, and mostly behind what is hit already.
-static inline int may_be_closer(wholew meets, realw b, float reach, Hit hit) {
+INLINE int may_be_closer(wholew meets, realw b, float reach, Hit hit) {
 #if WALK == WALK_NODES
     return any_lane(meets & (b - (real)reach < hit.t));
 #else
@@ -52,7 +52,7 @@ static inline int may_be_closer(wholew meets, realw b, float reach, Hit hit) {
 }
 
 // Of equal distances the lowest id's.
-static inline void keep_closer(PencilSphere s, wholew meets, realw t, Hit* hit) {
+INLINE void keep_closer(PencilSphere s, wholew meets, realw t, Hit* hit) {
     const wholew closer = meets & (t > 0.0f) & ((t < hit->t) | ((t == hit->t) & (hit->id > s.id)));
     hit->t = choose(closer, t, hit->t);
     hit->id = choose(closer, (wholew)(s.id), hit->id);
@@ -60,7 +60,7 @@ static inline void keep_closer(PencilSphere s, wholew meets, realw t, Hit* hit) 
 }
 
 // The few rays that may graze the sphere, as `intersect` leaves them.
-static inline int intersect_grazed(PencilSphere s, const vec3w* dir, Hit* hit) {
+INLINE int intersect_grazed(PencilSphere s, const vec3w* dir, Hit* hit) {
     Packets own = copies_of(dir, hit);
     const SphereRests rests = rests_of(s);
     const real edge = grazing_edge(s);
@@ -77,7 +77,7 @@ static inline int intersect_grazed(PencilSphere s, const vec3w* dir, Hit* hit) {
 }
 
 // 0 when no ray can have a closer hit now than before.
-static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Bounds* bounds) {
+INLINE int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Bounds* bounds) {
     realw b[PACKETS], discriminant[PACKETS];
     wholew meets[PACKETS], any = 0, any_grazes = 0;
     const real edge = grazing_edge(s);
@@ -101,7 +101,7 @@ static inline int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hi
     return any_closer;
 }
 
-static inline realw reaches(Hit hit) { return hit.t; }
+INLINE realw reaches(Hit hit) { return hit.t; }
 
 #endif
 

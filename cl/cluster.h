@@ -12,26 +12,26 @@ typedef struct {
     int id;
 } PencilSphere;
 
-static inline PencilSphere sphere_of(global const PencilCluster* c, int i) {
+INLINE PencilSphere sphere_of(global const PencilCluster* c, int i) {
     return (PencilSphere){{c->x[i], c->y[i], c->z[i]}, c->reach[i], c->r2[i], c->power[i], c->id[i]};
 }
 
 // Whether a sphere looks small from the apex, r^2 < |f|^2 / 2, which is r^2 < C = |f|^2 - r^2.
-static inline int looks_small(PencilSphere s) { return s.r2 < s.power; }
+INLINE int looks_small(PencilSphere s) { return s.r2 < s.power; }
 
 // Whether the apex is well apart from its surface, r^2 < 4/5 |f|^2, which is r^2 < 4 C. It says which formula decides
 // whether a line meets it: see sphere.h.
-static inline int is_apart(PencilSphere s) { return s.r2 < 4 * s.power; }
+INLINE int is_apart(PencilSphere s) { return s.r2 < 4 * s.power; }
 
 // LANES neighbouring values.
-static inline floatw lanes_at(global const float* values, int first) { return *(global const floatw*)(values + first); }
-static inline floatw floats_at(global const real* values, int first) {
+INLINE floatw lanes_at(global const float* values, int first) { return *(global const floatw*)(values + first); }
+INLINE floatw floats_at(global const real* values, int first) {
     return floats_of(*(global const realw*)(values + first));
 }
-static inline intw ids_at(global const int* values, int first) { return *(global const intw*)(values + first); }
+INLINE intw ids_at(global const int* values, int first) { return *(global const intw*)(values + first); }
 
 // The places that hold a sphere, as bits.
-static inline int filled(global const PencilCluster* c) {
+INLINE int filled(global const PencilCluster* c) {
     int places = 0;
     for (int first = 0; first < CLUSTER; first += LANES) places |= lane_bits(ids_at(c->id, first) >= 0) << first;
     return places;

@@ -15,7 +15,7 @@ typedef struct {
     realw r2, power;
 } SphereRests;
 
-static inline SphereRests rests_of(PencilSphere s) {
+INLINE SphereRests rests_of(PencilSphere s) {
     const vec3w f = broadcast(s.center);
     const realw r2 = wide(s.r2), radius = square_root(r2);
     const Twofold f2 = twofold_dot(f, f), square = two_product_w(radius, radius);
@@ -28,14 +28,14 @@ static inline SphereRests rests_of(PencilSphere s) {
 }
 
 // By how much |dir|^2 is more than 1.
-static inline realw excess(vec3w dir) {
+INLINE realw excess(vec3w dir) {
     const Twofold squared = twofold_dot(dir, dir);
     return (squared.hi - 1.0f) + squared.lo;
 }
 
 // D, for `along` = f . dir: r^2 - |f - foot dir|^2, with foot = along / |dir|^2, or b^2 - C.
-static inline Twofold compensated_discriminant(PencilSphere s, SphereRests rests, vec3w dir, Twofold along, realw e,
-                                               Twofold b) {
+INLINE Twofold compensated_discriminant(PencilSphere s, SphereRests rests, vec3w dir, Twofold along, realw e,
+                                        Twofold b) {
     if (!is_apart(s)) {
         const Twofold square = two_product_w(b.hi, b.hi), difference = two_sum_w(square.hi, wide(-s.power));
         const realw low = fma(2.0f * b.hi, b.lo, square.lo);
@@ -49,7 +49,7 @@ static inline Twofold compensated_discriminant(PencilSphere s, SphereRests rests
 }
 
 // The distance, and the sign of D. 1 / |dir|^2 and 1 / |dir| are 1 - e + e^2 and 1 - e / 2 + 3/8 e^2, e below 18 u.
-static inline realw compensated_root(PencilSphere s, SphereRests rests, vec3w dir, realw* discriminant) {
+INLINE realw compensated_root(PencilSphere s, SphereRests rests, vec3w dir, realw* discriminant) {
     const Twofold along = twofold_dot(broadcast(s.center), dir);
     const realw e = excess(dir);
     const Twofold b = fast_two_sum_w(along.hi, fma(along.hi, e * fma(wide(0.375f), e, wide(-0.5f)), along.lo));

@@ -11,7 +11,7 @@ typedef struct {
 } Pixel;
 
 // That of packet k's first ray.
-static inline Pixel first_pixel(Tile tile, int item, int k) {
+INLINE Pixel first_pixel(Tile tile, int item, int k) {
     // Unsigned, so that dividing by powers of two is shifting.
     const uint ray = ((uint)item * PACKETS + (uint)k) * LANES, block = ray / BLOCK_RAYS, inside = ray % BLOCK_RAYS,
                row = block / (uint)tile.blocks_x, column = block - row * (uint)tile.blocks_x;
@@ -24,21 +24,21 @@ static inline Pixel first_pixel(Tile tile, int item, int k) {
 #define UP_OF(eye, j) ((eye).height - 1 - 2 * (j))
 
 // The unit directions of pixels.
-static inline vec3w eye_ray(EyePencil eye, intw i, intw j) {
+INLINE vec3w eye_ray(EyePencil eye, intw i, intw j) {
     const realw right = convert_realw(RIGHT_OF(eye, i)), up = convert_realw(UP_OF(eye, j));
     const vec3w along = fma_w(right, broadcast(eye.right), fma_w(up, broadcast(eye.up), broadcast(eye.forward)));
     return scale_w(divide(wide(1.0f), square_root(dot_w(along, along))), along);
 }
 
 // Those of packet k. Pixels outside the image get NaN, which meets nothing, because every comparison with it is false.
-static inline vec3w eye_rays(EyePencil eye, Tile tile, int item, int k) {
+INLINE vec3w eye_rays(EyePencil eye, Tile tile, int item, int k) {
     const Pixel first = first_pixel(tile, item, k);
     const intw i = first.i + LANE_INDEX % BLOCK_SIDE, j = first.j + LANE_INDEX / BLOCK_SIDE;
     const intw inside = (i < eye.width) & (j < eye.height);
     return select_w(wholes_of(inside), eye_ray(eye, i, j), broadcast((Real3){NAN, NAN, NAN}));
 }
 
-static inline float dot_3(Float3 a, Float3 b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
+INLINE float dot_3(Float3 a, Float3 b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
 
 // All rays of a work-item, from its corner pixels: `basis` is the camera's, so X and Y are multiples of a pixel's width
 // and height, and no ray need be there where nothing is to be met. A ray is turned against its pixel by less than 5 u:

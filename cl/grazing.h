@@ -10,7 +10,7 @@
 #include "compensated_root.h"
 
 // |D| from which on rays do not graze.
-static inline real grazing_edge(PencilSphere s) {
+INLINE real grazing_edge(PencilSphere s) {
 #if FAST
     return 0;  // no ray grazes
 #else
@@ -19,7 +19,7 @@ static inline real grazing_edge(PencilSphere s) {
 }
 
 // Of rays that may meet the sphere. Doubles are there for their precision: all of them are treated so.
-static inline wholew is_grazing(realw discriminant, real edge) {
+INLINE wholew is_grazing(realw discriminant, real edge) {
 #if REAL_IS_DOUBLE
     return (wholew)(-1);
 #else

@@ -19,7 +19,7 @@
 #define BALL_CANDIDATES candidates
 #include "hierarchy.h"
 
-static inline void store_misses(global real* ts, global real* normals, global int* ids, int item) {
+INLINE void store_misses(global real* ts, global real* normals, global int* ids, int item) {
     FOR_PACKETS(k) {
         store_r(wide(INFINITY), ts, item, k);
         store_3(broadcast((Real3){INFINITY, INFINITY, INFINITY}), normals, item, k);
@@ -38,14 +38,14 @@ INLINE int next_candidates(Hierarchy hierarchy, Traversal* traversal, FatRay fat
 }
 
 // Where the farthest of the closest hits is; rays that are none do not count.
-static inline float farthest_hit(const Hit* hit, const wholew* valid) {
+INLINE float farthest_hit(const Hit* hit, const wholew* valid) {
     floatw farthest = wide_float(0.0f);
     FOR_PACKETS(k) farthest = MORE_WHERE(ints_of(valid[k]), floats_of(reaches(hit[k])), farthest);
     return REDUCE(most, farthest);
 }
 
 // With 1 / |position - centre|, at hits.
-static inline vec3w outward_normal(Hit hit, vec3w dir, realw* inverse) {
+INLINE vec3w outward_normal(Hit hit, vec3w dir, realw* inverse) {
     *inverse = wide(0.0f);
     const vec3w infinite = broadcast((Real3){INFINITY, INFINITY, INFINITY});
     const wholew hits = hit.id >= 0;

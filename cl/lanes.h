@@ -77,11 +77,11 @@ typedef CONCAT(WHOLE, LANES) wholew;
 
 // Reductions over the lanes, by halves: the any() builtin, and horizontal builtins in general, compile to scalar code
 // on PoCL.
-#define REDUCE_BY_HALVES(name, type, combine)                                                              \
-    static inline type name##_of_2(CONCAT(type, 2) v) { return combine(v.x, v.y); }                        \
-    static inline type name##_of_4(CONCAT(type, 4) v) { return CONCAT(name, _of_2)(combine(v.lo, v.hi)); } \
-    static inline type name##_of_8(CONCAT(type, 8) v) { return CONCAT(name, _of_4)(combine(v.lo, v.hi)); } \
-    static inline type name##_of_16(CONCAT(type, 16) v) { return CONCAT(name, _of_8)(combine(v.lo, v.hi)); }
+#define REDUCE_BY_HALVES(name, type, combine)                                                       \
+    INLINE type name##_of_2(CONCAT(type, 2) v) { return combine(v.x, v.y); }                        \
+    INLINE type name##_of_4(CONCAT(type, 4) v) { return CONCAT(name, _of_2)(combine(v.lo, v.hi)); } \
+    INLINE type name##_of_8(CONCAT(type, 8) v) { return CONCAT(name, _of_4)(combine(v.lo, v.hi)); } \
+    INLINE type name##_of_16(CONCAT(type, 16) v) { return CONCAT(name, _of_8)(combine(v.lo, v.hi)); }
 #define OR(a, b) ((a) | (b))
 #define PLUS(a, b) ((a) + (b))
 #define LESS(a, b) ((a) < (b) ? (a) : (b))  // the second where one is NaN
@@ -103,14 +103,14 @@ REDUCE_BY_HALVES(most, float, MORE)
 // instruction (from a mask register) or a horizontal builtin takes the place of the halves; by way of SPIR-V neither
 // has a translation.
 #if CLANG_TO_MACHINE && LANES == 16 && defined(__AVX512DQ__)
-static inline int lane_bits(intw mask) { return (ushort)__builtin_ia32_cvtd2mask512(mask); }
-static inline int any_lane(wholew mask) { return lane_bits(ints_of(mask)); }
+INLINE int lane_bits(intw mask) { return (ushort)__builtin_ia32_cvtd2mask512(mask); }
+INLINE int any_lane(wholew mask) { return lane_bits(ints_of(mask)); }
 #else
-static inline int lane_bits(intw mask) { return REDUCE(or, mask & ((intw)(1) << LANE_INDEX)); }
+INLINE int lane_bits(intw mask) { return REDUCE(or, mask & ((intw)(1) << LANE_INDEX)); }
 #if CLANG_TO_MACHINE && LANES > 1
-static inline int any_lane(wholew mask) { return __builtin_reduce_or(mask) != 0; }
+INLINE int any_lane(wholew mask) { return __builtin_reduce_or(mask) != 0; }
 #else
-static inline int any_lane(wholew mask) { return REDUCE(or, ints_of(mask)); }
+INLINE int any_lane(wholew mask) { return REDUCE(or, ints_of(mask)); }
 #endif
 #endif
 
@@ -118,10 +118,10 @@ static inline int any_lane(wholew mask) { return REDUCE(or, ints_of(mask)); }
 // where a, b are vectors; told so, it blends, keeps masks in mask registers, and sees a minimum in LESS_WHERE.
 #if CLANG_TO_MACHINE && LANES == 16 && defined(__AVX512DQ__) && !REAL_IS_DOUBLE
 #define BLEND(which, mask, a, b) which((ushort)lane_bits(mask), a, b)
-static inline floatw __attribute__((overloadable)) choose(intw mask, floatw a, floatw b) {
+INLINE floatw __attribute__((overloadable)) choose(intw mask, floatw a, floatw b) {
     return as_floatw(BLEND(__builtin_ia32_selectps_512, mask, a, b));
 }
-static inline intw __attribute__((overloadable)) choose(intw mask, intw a, intw b) {
+INLINE intw __attribute__((overloadable)) choose(intw mask, intw a, intw b) {
     return as_intw(BLEND(__builtin_ia32_selectd_512, mask, a, b));
 }
 #else
@@ -133,7 +133,7 @@ static inline intw __attribute__((overloadable)) choose(intw mask, intw a, intw 
 #define MORE_WHERE(mask, a, b) choose(mask, choose((a) > (b), a, b), b)
 
 #define ALL_LANES ((1 << LANES) - 1)
-static inline intw lanes_of_bits(int bits) { return ((intw)(bits) >> LANE_INDEX & 1) != 0; }
+INLINE intw lanes_of_bits(int bits) { return ((intw)(bits) >> LANE_INDEX & 1) != 0; }
 
 // A condition that hardly ever holds.
 #if CLANG_TO_MACHINE
@@ -142,20 +142,11 @@ static inline intw lanes_of_bits(int bits) { return ((intw)(bits) >> LANE_INDEX 
 #define UNLIKELY(condition) (condition)
 #endif
 
-// For what takes or gives a fat ray: inlined before anything else is done to the kernel. Where that comes later PoCL 6
-// moves the struct through memory, in pieces of other sizes than it then reads, and intersect_closest takes 1.7 times
-// as long. Of other drivers Oclgrind, told to do so, finds no kernel in the program.
-#if CLANG_TO_MACHINE
-#define INLINE __attribute__((always_inline)) static inline
-#else
-#define INLINE static inline
-#endif
-
 // One lane's value.
 #define LANE_OF(v, lane) (((const real*)&(v))[lane])
 
 // The position of the lowest bit set.
-static inline int lowest_bit(int mask) { return 31 - clz(mask & -mask); }
+INLINE int lowest_bit(int mask) { return 31 - clz(mask & -mask); }
 
 // Three components of LANES rays.
 typedef struct {
@@ -163,15 +154,13 @@ typedef struct {
 } vec3w;
 
 // Sums of three products in one fixed order, two roundings fewer than without fma.
-static inline realw dot_w(vec3w a, vec3w b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
-static inline realw dot_r(Real3 a, vec3w b) { return fma(wide(a.x), b.x, fma(wide(a.y), b.y, wide(a.z) * b.z)); }
+INLINE realw dot_w(vec3w a, vec3w b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
+INLINE realw dot_r(Real3 a, vec3w b) { return fma(wide(a.x), b.x, fma(wide(a.y), b.y, wide(a.z) * b.z)); }
 // s a, and s a + b, one rounding a component.
-static inline vec3w scale_w(realw s, vec3w a) { return (vec3w){s * a.x, s * a.y, s * a.z}; }
-static inline vec3w fma_w(realw s, vec3w a, vec3w b) {
-    return (vec3w){fma(s, a.x, b.x), fma(s, a.y, b.y), fma(s, a.z, b.z)};
-}
-static inline vec3w broadcast(Real3 a) { return (vec3w){wide(a.x), wide(a.y), wide(a.z)}; }
-static inline vec3w select_w(wholew mask, vec3w a, vec3w b) {
+INLINE vec3w scale_w(realw s, vec3w a) { return (vec3w){s * a.x, s * a.y, s * a.z}; }
+INLINE vec3w fma_w(realw s, vec3w a, vec3w b) { return (vec3w){fma(s, a.x, b.x), fma(s, a.y, b.y), fma(s, a.z, b.z)}; }
+INLINE vec3w broadcast(Real3 a) { return (vec3w){wide(a.x), wide(a.y), wide(a.z)}; }
+INLINE vec3w select_w(wholew mask, vec3w a, vec3w b) {
     return (vec3w){choose(mask, a.x, b.x), choose(mask, a.y, b.y), choose(mask, a.z, b.z)};
 }
 
@@ -179,10 +168,10 @@ static inline vec3w select_w(wholew mask, vec3w a, vec3w b) {
 typedef struct {
     floatw x, y, z;
 } float3w;
-static inline float3w floats_of_3(vec3w a) { return (float3w){floats_of(a.x), floats_of(a.y), floats_of(a.z)}; }
-static inline floatw dot_f(Float3 a, float3w b) {
+INLINE float3w floats_of_3(vec3w a) { return (float3w){floats_of(a.x), floats_of(a.y), floats_of(a.z)}; }
+INLINE floatw dot_f(Float3 a, float3w b) {
     return fma(wide_float(a.x), b.x, fma(wide_float(a.y), b.y, wide_float(a.z) * b.z));
 }
-static inline Float3 float3_of(Real3 a) { return (Float3){(float)a.x, (float)a.y, (float)a.z}; }
+INLINE Float3 float3_of(Real3 a) { return (Float3){(float)a.x, (float)a.y, (float)a.z}; }
 
 #endif

@@ -16,21 +16,21 @@ typedef struct {
     real base;
 } LightDoubt;
 
-static inline LightDoubt light_doubt(LightPencil light, real position, real normal, real base) {
+INLINE LightDoubt light_doubt(LightPencil light, real position, real normal, real base) {
     return (LightDoubt){position + base, normal + 8 * ROUNDING, base};
 }
 
 // Of all rays of a group alike.
 typedef LightDoubt RayDoubt;
-static inline RayDoubt ray_doubt(LightDoubt doubt, const ShadowRay* ray, const wholew* open) { return doubt; }
-static inline RayDoubt own_ray_doubt(LightDoubt own, ShadowRay ray, int lane) { return own; }
+INLINE RayDoubt ray_doubt(LightDoubt doubt, const ShadowRay* ray, const wholew* open) { return doubt; }
+INLINE RayDoubt own_ray_doubt(LightDoubt own, ShadowRay ray, int lane) { return own; }
 
 // How far D may be off.
 typedef struct {
     real off;
 } Edge;
 
-static inline Edge edge_of(PencilSphere s, LightDoubt doubt, RayDoubt most) {
+INLINE Edge edge_of(PencilSphere s, LightDoubt doubt, RayDoubt most) {
     const real shift = doubt.shift + fma(12 * ROUNDING, distance_of(s), doubt.base);
     return (Edge){fma(fma((real)3, shift, 2 * radius_of(s)), shift, 12 * ROUNDING * s.r2)};
 }
@@ -41,35 +41,35 @@ typedef struct {
     realw discriminant, farther;
 } Meeting;
 
-static inline Meeting meeting(PencilSphere s, ShadowRay ray) {
+INLINE Meeting meeting(PencilSphere s, ShadowRay ray) {
     const realw ahead = wide(s.center.z) - ray.from.z, discriminant = disc_discriminant(s, ray);
     return (Meeting){discriminant, fma(ahead, fabs(ahead), discriminant)};
 }
 
 // Whether the sphere surely occludes the ray, and whether it surely does not.
-static inline wholew surely_met(Meeting at, Edge edge) {
+INLINE wholew surely_met(Meeting at, Edge edge) {
     return (at.discriminant > wide(edge.off)) & (at.farther > wide(2 * edge.off));
 }
-static inline wholew surely_clear(Meeting at, Edge edge) {
+INLINE wholew surely_clear(Meeting at, Edge edge) {
     return (at.discriminant < wide(-edge.off)) | (at.farther < wide(-2 * edge.off));
 }
 
 // Whether the line of the ray may meet the sphere: where it does not, the ray is surely clear.
-static inline wholew line_may_meet(PencilSphere s, ShadowRay ray, Edge edge) {
+INLINE wholew line_may_meet(PencilSphere s, ShadowRay ray, Edge edge) {
     return !(disc_discriminant(s, ray) < wide(-edge.off));
 }
 
 // Where it is open whether the surface faces the light.
-static inline wholew may_face(LightPencil light, ShadowRay ray, vec3w position, vec3w normal, LightDoubt doubt) {
+INLINE wholew may_face(LightPencil light, ShadowRay ray, vec3w position, vec3w normal, LightDoubt doubt) {
     return !(fabs(dot_r(light.axis, normal)) > wide(doubt.facing));
 }
 
 // So wide that what is passed over is clear of each ray by its own doubt: docs/accuracy.md, "What is passed over".
-static inline FatShadowRay widened(FatShadowRay fat, LightPencil light, int face, RayDoubt doubt) {
+INLINE FatShadowRay widened(FatShadowRay fat, LightPencil light, int face, RayDoubt doubt) {
     const float shift = (float)doubt.shift, across = 2 * shift, along = 4 * shift;
     return (FatShadowRay){fat.x0 - across, fat.x1 + across, fat.y0 - across, fat.y1 + across, fat.back - along};
 }
-static inline int certain_shadow_candidates(FatShadowRay fat, RayDoubt doubt, global const PencilCluster* c) {
+INLINE int certain_shadow_candidates(FatShadowRay fat, RayDoubt doubt, global const PencilCluster* c) {
     return shadow_candidates(fat, c);
 }
 

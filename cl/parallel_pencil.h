@@ -16,7 +16,7 @@ typedef struct {
     realw squared;  // its squared distance from the eye
 } ShadowRay;
 
-static inline ShadowRay shadow_ray(LightPencil light, vec3w position) {
+INLINE ShadowRay shadow_ray(LightPencil light, vec3w position) {
     const vec3w from = {dot_r(light.u, position), dot_r(light.v, position), dot_r(light.axis, position)};
     ShadowRay ray;
     ray.from = from;
@@ -25,12 +25,12 @@ static inline ShadowRay shadow_ray(LightPencil light, vec3w position) {
 }
 
 // n . l, the share of the light's irradiance that arrives: > 0 where the surface faces the light.
-static inline realw arriving(LightPencil light, ShadowRay ray, vec3w position, vec3w normal) {
+INLINE realw arriving(LightPencil light, ShadowRay ray, vec3w position, vec3w normal) {
     return dot_r(light.axis, normal);
 }
 
 // D = r^2 - |across|^2: >= 0 where the line comes no farther from the centre than the radius.
-static inline realw disc_discriminant(PencilSphere s, ShadowRay ray) {
+INLINE realw disc_discriminant(PencilSphere s, ShadowRay ray) {
     const realw x = wide(s.center.x) - ray.from.x, y = wide(s.center.y) - ray.from.y;
     return fma(-x, x, fma(-y, y, wide(s.r2)));
 }
@@ -41,7 +41,7 @@ static inline realw disc_discriminant(PencilSphere s, ShadowRay ray) {
 //   The receiver's own power |c - p|^2 - r^2 = C - 2 c . p + |p|^2 = ahead^2 - D says on which side of the surface it
 //   is (see sphere.h). Its error is a few u |p| (|p| + |c|): less for a sphere that looks large (|c| < 1.5 r) where |p|
 //   < r.
-static inline wholew occludes(PencilSphere s, ShadowRay ray) {
+INLINE wholew occludes(PencilSphere s, ShadowRay ray) {
     const realw ahead = wide(s.center.z) - ray.from.z, discriminant = disc_discriminant(s, ray);
     const wholew by_disc = (discriminant >= 0.0f) & ((ahead > 0.0f) | (ahead * ahead < discriminant));
     if (looks_small(s)) return by_disc;
@@ -51,7 +51,7 @@ static inline wholew occludes(PencilSphere s, ShadowRay ray) {
 }
 
 // Whether it may: where it does not, occludes is 0.
-static inline wholew may_occlude(PencilSphere s, ShadowRay ray) {
+INLINE wholew may_occlude(PencilSphere s, ShadowRay ray) {
     const wholew by_disc = disc_discriminant(s, ray) >= 0.0f;
     return looks_small(s) ? by_disc : by_disc | (ray.squared < wide(s.r2));
 }
@@ -62,10 +62,10 @@ typedef struct {
 } FatShadowRay;
 
 // The face (point_pencil.h) from which the rays are told apart: here there is but one.
-static inline int face_of(LightPencil light, const ShadowRay* ray, const wholew* open) { return 0; }
+INLINE int face_of(LightPencil light, const ShadowRay* ray, const wholew* open) { return 0; }
 
 // `open` says which of the rays count.
-static inline FatShadowRay fat_shadow_ray(LightPencil light, int face, const ShadowRay* ray, const wholew* open) {
+INLINE FatShadowRay fat_shadow_ray(LightPencil light, int face, const ShadowRay* ray, const wholew* open) {
 #if WALK == WALK_SPHERES
     return (FatShadowRay){0};  // nobody looks at it
 #endif
@@ -84,7 +84,7 @@ static inline FatShadowRay fat_shadow_ray(LightPencil light, int face, const Sha
 }
 
 // Which spheres of a cluster may occlude one of the rays, as bits: see reach.h.
-static inline int shadow_candidates(FatShadowRay fat, global const PencilCluster* c) {
+INLINE int shadow_candidates(FatShadowRay fat, global const PencilCluster* c) {
 #if WALK == WALK_SPHERES
     return filled(c);
 #endif
@@ -100,12 +100,10 @@ static inline int shadow_candidates(FatShadowRay fat, global const PencilCluster
 }
 
 // The same for balls around clusters.
-static inline int shadow_ball_candidates(FatShadowRay fat, global const PencilCluster* c) {
-    return shadow_candidates(fat, c);
-}
+INLINE int shadow_ball_candidates(FatShadowRay fat, global const PencilCluster* c) { return shadow_candidates(fat, c); }
 
 // The same for the children of a node.
-static inline int shadow_node_candidates(FatShadowRay fat, global const Node* n) {
+INLINE int shadow_node_candidates(FatShadowRay fat, global const Node* n) {
     int kept = 0;
     for (int first = 0; first < CLUSTER; first += LANES) {
         const intw misses = (lanes_at(n->x0, first) > fat.x1) | (lanes_at(n->x1, first) < fat.x0) |

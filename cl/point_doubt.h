@@ -17,7 +17,7 @@ typedef struct {
 
 // `position` is how far the receiver is off. Its place is rounded, u |o|, and the way between both once; its length 4 u
 // more, and its direction 5 u.
-static inline LightDoubt light_doubt(LightPencil light, real position, real normal, real base) {
+INLINE LightDoubt light_doubt(LightPencil light, real position, real normal, real base) {
     const real from_eye = root_of(
         fma(light.origin.x, light.origin.x, fma(light.origin.y, light.origin.y, light.origin.z * light.origin.z)));
     const real own = fma(2 * ROUNDING, from_eye, base), rounded = 4 * ROUNDING * from_eye;
@@ -30,12 +30,12 @@ typedef struct {
 } RayDoubt;
 
 // 3/2 of what the way is off over its length serves while that is below 1/2.
-static inline RayDoubt doubt_between(LightDoubt doubt, real inverse, real distance) {
+INLINE RayDoubt doubt_between(LightDoubt doubt, real inverse, real distance) {
     const real turn = fma(1.5f * doubt.way, inverse, 5 * ROUNDING);
     return (RayDoubt){turn < 0.75f ? turn : INFINITY, distance};
 }
 // The most of a group.
-static inline RayDoubt ray_doubt(LightDoubt doubt, const ShadowRay* ray, const wholew* open) {
+INLINE RayDoubt ray_doubt(LightDoubt doubt, const ShadowRay* ray, const wholew* open) {
     floatw farthest = wide_float(0.0f), inverse = farthest;
     FOR_PACKETS(k) {
         farthest = MORE_WHERE(ints_of(open[k]), floats_of(ray[k].distance), farthest);
@@ -44,7 +44,7 @@ static inline RayDoubt ray_doubt(LightDoubt doubt, const ShadowRay* ray, const w
     const real up = 1 + 0x1p-20f;  // doubles became floats
     return doubt_between(doubt, REDUCE(most, inverse) * up, REDUCE(most, farthest) * up);
 }
-static inline RayDoubt own_ray_doubt(LightDoubt own, ShadowRay ray, int lane) {
+INLINE RayDoubt own_ray_doubt(LightDoubt own, ShadowRay ray, int lane) {
     return doubt_between(own, LANE_OF(ray.inverse, lane), LANE_OF(ray.distance, lane));
 }
 
@@ -56,7 +56,7 @@ typedef struct {
 
 // Next to the surface the foot is no farther from the receiver than the radius; the power of the receiver seen from a
 // large sphere is off by what that is, times the diameter, and by roundings: 9 u |f| of b, 4 u of each term.
-static inline Edge edge_of(PencilSphere s, LightDoubt doubt, RayDoubt ray) {
+INLINE Edge edge_of(PencilSphere s, LightDoubt doubt, RayDoubt ray) {
     const real from_light = distance_of(s), radius = radius_of(s);
     const real power_off = power_doubt(s, from_light, radius, doubt.center);
     const DiscriminantDoubt of = discriminant_doubt(s, radius, power_off);
@@ -80,7 +80,7 @@ typedef struct {
     realw b, discriminant, power, nearer;
 } Meeting;
 
-static inline Meeting meeting(PencilSphere s, ShadowRay ray) {
+INLINE Meeting meeting(PencilSphere s, ShadowRay ray) {
     const realw b = dot_r(s.center, ray.dir), before = ray.distance - b;
     const realw discriminant = sphere_discriminant(s, ray.dir, b);
     const realw power = is_apart(s) ? fma(before, before, -discriminant) : fma(ray.distance, before - b, wide(s.power));
@@ -90,13 +90,13 @@ static inline Meeting meeting(PencilSphere s, ShadowRay ray) {
 }
 
 // Whether the sphere surely occludes the ray, and whether it surely does not.
-static inline wholew surely_met(Meeting at, Edge edge) {
+INLINE wholew surely_met(Meeting at, Edge edge) {
     if (edge.outside)
         return (at.discriminant > wide(edge.discriminant)) & (at.b > wide(edge.ahead)) &
                (at.nearer > wide(edge.before));
     return edge.inside ? at.power > wide(edge.before) : (wholew)(0);
 }
-static inline wholew surely_clear(Meeting at, Edge edge) {
+INLINE wholew surely_clear(Meeting at, Edge edge) {
     if (edge.outside)
         return (at.discriminant < wide(-edge.discriminant)) | (at.b < wide(-edge.ahead)) |
                (at.nearer < wide(-edge.before));
@@ -104,26 +104,26 @@ static inline wholew surely_clear(Meeting at, Edge edge) {
 }
 
 // Whether the line of the ray may meet the sphere: where it does not, the ray is surely clear.
-static inline wholew line_may_meet(PencilSphere s, ShadowRay ray, Edge edge) {
+INLINE wholew line_may_meet(PencilSphere s, ShadowRay ray, Edge edge) {
     if (edge.inside) return (wholew)(-1);
     return !(sphere_discriminant(s, ray.dir, dot_r(s.center, ray.dir)) < wide(-edge.discriminant));
 }
 
 // Where it is open whether the surface faces the light: (o - p) . n is off by the normal's doubt and 8 u, times the
 // way, and by the way's.
-static inline wholew may_face(LightPencil light, ShadowRay ray, vec3w position, vec3w normal, LightDoubt doubt) {
+INLINE wholew may_face(LightPencil light, ShadowRay ray, vec3w position, vec3w normal, LightDoubt doubt) {
     const realw edge = fma(ray.distance, wide(doubt.normal), wide(doubt.place));
     return !(fabs(dot_w(from_light(light, position), normal)) > edge);
 }
 
 // Turning a ray by a small angle moves X by (1 + X^2) of it, and by less than twice that while the angle and X times it
 // are below 1/4.
-static inline float outward(float x, float turn) {
+INLINE float outward(float x, float turn) {
     return fabs(turn) * MORE(fabs(x), 1.0f) < 0x1p-8f ? fma(2 * turn, fma(x, x, 1.0f), x) : turn * INFINITY;
 }
 
 // So wide that what is passed over is clear of each ray by its own doubt: docs/accuracy.md, "What is passed over".
-static inline FatShadowRay widened(FatShadowRay fat, LightPencil light, int face, RayDoubt doubt) {
+INLINE FatShadowRay widened(FatShadowRay fat, LightPencil light, int face, RayDoubt doubt) {
     const float turn = 6 * (float)doubt.turn;
     FatRay wider = fat_ray_between(outward(fat.x0, -turn), outward(fat.x1, turn), outward(fat.y0, -turn),
                                    outward(fat.y1, turn), light.face[face]);
@@ -133,7 +133,7 @@ static inline FatShadowRay widened(FatShadowRay fat, LightPencil light, int face
 
 // As `candidates`, but what begins behind all receivers is passed over only where it does so by an eighth of the radius
 // and 32 times what the way ahead may be off.
-static inline int certain_shadow_candidates(FatShadowRay fat, RayDoubt doubt, global const PencilCluster* c) {
+INLINE int certain_shadow_candidates(FatShadowRay fat, RayDoubt doubt, global const PencilCluster* c) {
 #if WALK != WALK_CLUSTERS
     return candidates(fat, c);
 #endif

@@ -18,12 +18,12 @@ typedef struct {
 #endif
 } ShadowRay;
 
-static inline vec3w from_light(LightPencil light, vec3w position) {
+INLINE vec3w from_light(LightPencil light, vec3w position) {
     return (vec3w){position.x - light.origin.x, position.y - light.origin.y, position.z - light.origin.z};
 }
 
 // A receiver at the light itself gets NaN, which meets nothing.
-static inline ShadowRay shadow_ray(LightPencil light, vec3w position) {
+INLINE ShadowRay shadow_ray(LightPencil light, vec3w position) {
     const vec3w way = from_light(light, position);
     const realw distance = square_root(dot_w(way, way));
     const realw inverse = divide(wide(1.0f), distance);
@@ -38,7 +38,7 @@ static inline ShadowRay shadow_ray(LightPencil light, vec3w position) {
 
 // n . l / d^2 = (d n . l) / d^3, the share of the light's power that arrives at the receiver, but for a factor: > 0
 // where the surface faces the light, and NaN, which is not > 0, at the light.
-static inline realw arriving(LightPencil light, ShadowRay ray, vec3w position, vec3w normal) {
+INLINE realw arriving(LightPencil light, ShadowRay ray, vec3w position, vec3w normal) {
     const vec3w way = from_light(light, position);
     return divide(-dot_w(way, normal), dot_w(way, way) * ray.distance);
 }
@@ -46,7 +46,7 @@ static inline realw arriving(LightPencil light, ShadowRay ray, vec3w position, v
 // From outside (C > 0), with the centre ahead: the segment meets the sphere when its line does and the near root lies
 // before the receiver, because the foot of the centre does or because the receiver is in the ball. From inside the ball
 // (C <= 0) it does when the receiver is out of it; from a light on the surface only if the way starts inward.
-static inline wholew occludes(PencilSphere s, ShadowRay ray) {
+INLINE wholew occludes(PencilSphere s, ShadowRay ray) {
     const realw b = dot_r(s.center, ray.dir), beyond = b - ray.distance;
     const realw discriminant = sphere_discriminant(s, ray.dir, b);
     if (is_apart(s)) return (discriminant >= 0.0f) & (b > 0.0f) & ((beyond < 0.0f) | (beyond * beyond < discriminant));
@@ -58,7 +58,7 @@ static inline wholew occludes(PencilSphere s, ShadowRay ray) {
 }
 
 // Whether it may: where it does not, occludes is 0.
-static inline wholew may_occlude(PencilSphere s, ShadowRay ray) {
+INLINE wholew may_occlude(PencilSphere s, ShadowRay ray) {
     if (!is_apart(s)) return (wholew)(-1);
     const realw b = dot_r(s.center, ray.dir);
     return (sphere_discriminant(s, ray.dir, b) >= 0.0f) & (b > 0.0f);
@@ -68,7 +68,7 @@ static inline wholew may_occlude(PencilSphere s, ShadowRay ray) {
 typedef FatRay FatShadowRay;
 
 // The face of the light that most of the rays leave through.
-static inline int face_of(LightPencil light, const ShadowRay* ray, const wholew* open) {
+INLINE int face_of(LightPencil light, const ShadowRay* ray, const wholew* open) {
 #if WALK == WALK_SPHERES
     return 0;  // nobody looks at it
 #endif
@@ -93,7 +93,7 @@ static inline int face_of(LightPencil light, const ShadowRay* ray, const wholew*
     return best;
 }
 
-static inline FatShadowRay fat_shadow_ray(LightPencil light, int face, const ShadowRay* ray, const wholew* open) {
+INLINE FatShadowRay fat_shadow_ray(LightPencil light, int face, const ShadowRay* ray, const wholew* open) {
     vec3w dir[PACKETS];
     floatw farthest = wide_float(0.0f);
     FOR_PACKETS(k) {
@@ -105,14 +105,14 @@ static inline FatShadowRay fat_shadow_ray(LightPencil light, int face, const Sha
     return fat;
 }
 
-static inline int shadow_candidates(FatShadowRay fat, global const PencilCluster* c) { return candidates(fat, c); }
+INLINE int shadow_candidates(FatShadowRay fat, global const PencilCluster* c) { return candidates(fat, c); }
 // Certified pictures say more exactly, sphere by sphere, what is too far (point_doubt.h).
-static inline int shadow_ball_candidates(FatShadowRay fat, global const PencilCluster* c) {
+INLINE int shadow_ball_candidates(FatShadowRay fat, global const PencilCluster* c) {
 #if CERTIFIED
     fat.distance = INFINITY;
 #endif
     return candidates(fat, c);
 }
-static inline int shadow_node_candidates(FatShadowRay fat, global const Node* n) { return node_candidates(fat, n); }
+INLINE int shadow_node_candidates(FatShadowRay fat, global const Node* n) { return node_candidates(fat, n); }
 
 #endif

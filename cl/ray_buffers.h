@@ -6,32 +6,30 @@
 
 // Where packet k of work-item `item` finds component c of n in a block-ordered buffer. Unsigned, so that dividing by
 // powers of two is shifting.
-static inline size_t lane_address(int item, int k, int c, int n) {
+INLINE size_t lane_address(int item, int k, int c, int n) {
     const uint first = (uint)item * (LANES * PACKETS);
     return (size_t)(first / BLOCK_RAYS * (uint)n + (uint)c) * BLOCK_RAYS + first % BLOCK_RAYS + (uint)(k * LANES);
 }
 
 // The work-group's number among those of all work-items, of which this launch begins with `first_item`.
-static inline int group_of_all(int first_item) { return first_item / (int)get_local_size(0) + (int)get_group_id(0); }
+INLINE int group_of_all(int first_item) { return first_item / (int)get_local_size(0) + (int)get_group_id(0); }
 
-static inline realw load_r(global const real* p, int item, int k) {
+INLINE realw load_r(global const real* p, int item, int k) {
     return *(global const realw*)(p + lane_address(item, k, 0, 1));
 }
-static inline wholew load_i(global const int* p, int item, int k) {
+INLINE wholew load_i(global const int* p, int item, int k) {
     return wholes_of(*(global const intw*)(p + lane_address(item, k, 0, 1)));
 }
-static inline vec3w load_3(global const real* p, int item, int k) {
+INLINE vec3w load_3(global const real* p, int item, int k) {
     return (vec3w){*(global const realw*)(p + lane_address(item, k, 0, 3)),
                    *(global const realw*)(p + lane_address(item, k, 1, 3)),
                    *(global const realw*)(p + lane_address(item, k, 2, 3))};
 }
-static inline void store_r(realw v, global real* p, int item, int k) {
-    *(global realw*)(p + lane_address(item, k, 0, 1)) = v;
-}
-static inline void store_i(wholew v, global int* p, int item, int k) {
+INLINE void store_r(realw v, global real* p, int item, int k) { *(global realw*)(p + lane_address(item, k, 0, 1)) = v; }
+INLINE void store_i(wholew v, global int* p, int item, int k) {
     *(global intw*)(p + lane_address(item, k, 0, 1)) = ints_of(v);
 }
-static inline void store_3(vec3w v, global real* p, int item, int k) {
+INLINE void store_3(vec3w v, global real* p, int item, int k) {
     *(global realw*)(p + lane_address(item, k, 0, 3)) = v.x;
     *(global realw*)(p + lane_address(item, k, 1, 3)) = v.y;
     *(global realw*)(p + lane_address(item, k, 2, 3)) = v.z;

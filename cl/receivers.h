@@ -17,12 +17,12 @@ typedef struct {
     global const int* ids;
 } Hits;
 
-static inline vec3w position_of(Hits hits, int item, int k) {
+INLINE vec3w position_of(Hits hits, int item, int k) {
     return scale_w(load_r(hits.ts, item, k), load_3(hits.dirs, item, k));
 }
 
 // What arrives (arriving(), > 0) at the hits of packet k if nothing is in between, else 0.
-static inline realw unshadowed(Hits hits, LightPencil light, ShadowRay ray, int item, int k) {
+INLINE realw unshadowed(Hits hits, LightPencil light, ShadowRay ray, int item, int k) {
     const wholew hit = load_i(hits.ids, item, k) >= 0;
     if (!any_lane(hit)) return wide(0.0f);
     const realw share = arriving(light, ray, position_of(hits, item, k), load_3(hits.normals, item, k));
@@ -30,14 +30,14 @@ static inline realw unshadowed(Hits hits, LightPencil light, ShadowRay ray, int 
     return choose(lit, share, wide(0.0f));
 }
 
-static inline int any_open(const wholew* open) {
+INLINE int any_open(const wholew* open) {
     wholew any = 0;
     FOR_PACKETS(k) any |= open[k];
     return any_lane(any);
 }
 
 // Whether anything arrives yet at a hit of the group.
-static inline int any_still_lit(const wholew* group, const realw* share) {
+INLINE int any_still_lit(const wholew* group, const realw* share) {
     wholew any = 0;
     FOR_PACKETS(k) any |= group[k] & (share[k] > 0.0f);
     return any_lane(any);

@@ -7,11 +7,11 @@
 
 typedef WORD word;
 #if REAL_IS_DOUBLE
-static inline int word_of(word value) { return as_int((float)value); }
-static inline int8 words_of(global const word* values) { return as_int8(convert_float8(vload8(0, values))); }
+INLINE int word_of(word value) { return as_int((float)value); }
+INLINE int8 words_of(global const word* values) { return as_int8(convert_float8(vload8(0, values))); }
 #else
-static inline int word_of(word value) { return as_int(value); }
-static inline int8 words_of(global const word* values) { return as_int8(vload8(0, values)); }
+INLINE int word_of(word value) { return as_int(value); }
+INLINE int8 words_of(global const word* values) { return as_int8(vload8(0, values)); }
 #endif
 
 // Two neighbouring blocks or, at a tile's right end, one.
@@ -19,7 +19,7 @@ typedef struct {
     int first, count;
 } Pair;
 
-static inline Pair pair_of(Tile tile, int pair) {
+INLINE Pair pair_of(Tile tile, int pair) {
     const int pairs = (tile.blocks_x + 1) / 2, x = pair % pairs * 2;
     return (Pair){pair / pairs * tile.blocks_x + x, min(2, tile.blocks_x - x)};
 }
@@ -27,7 +27,7 @@ static inline Pair pair_of(Tile tile, int pair) {
 // 8 pixels of the left block and as many of the right as there are: 16 are a cache line. Where STREAM is 1 (a CPU
 // writing into the film itself), whole lines go past the caches: nothing reads them again soon, and the line need not
 // be fetched before it is written.
-static inline void write_row(global const word* left, global const word* right, global int* to, int pixels) {
+INLINE void write_row(global const word* left, global const word* right, global int* to, int pixels) {
     if (pixels < 2 * BLOCK_SIDE) {
         for (int i = 0; i < pixels; ++i) to[i] = word_of(i < BLOCK_SIDE ? left[i] : right[i - BLOCK_SIDE]);
         return;
@@ -43,8 +43,8 @@ static inline void write_row(global const word* left, global const word* right, 
 }
 
 // One row of a pair; `components` values a ray.
-static inline void resolve_row(global const word* blocks, int components, Tile tile, Planes planes, Pair pair, int row,
-                               global int* plane0, global int* plane1, global int* plane2) {
+INLINE void resolve_row(global const word* blocks, int components, Tile tile, Planes planes, Pair pair, int row,
+                        global int* plane0, global int* plane1, global int* plane2) {
     const int x = tile.x + pair.first % tile.blocks_x * BLOCK_SIDE,
               y = tile.y + pair.first / tile.blocks_x * BLOCK_SIDE + row;
     if (y >= planes.height) return;

@@ -20,7 +20,7 @@ typedef struct {
 
 // Those of the ids of packet k, by a loop over the distinct ones, of which neighbours have few: gathers are slower, and
 // so is finding the next id in a register.
-static inline vec3w albedo_of(Albedos albedos, global const int* ids, int item, int k, wholew wanted) {
+INLINE vec3w albedo_of(Albedos albedos, global const int* ids, int item, int k, wholew wanted) {
     const wholew id = load_i(ids, item, k);
     vec3w albedo = {wide(0.0f), wide(0.0f), wide(0.0f)};
     for (int rest = lane_bits(ints_of(wanted)); rest;) {
@@ -35,7 +35,7 @@ static inline vec3w albedo_of(Albedos albedos, global const int* ids, int item, 
 
 #if ALBEDOS_OF_RAYS
 // Those of packet k: three floats a ray.
-static inline vec3w load_albedo(global const float* p, int item, int k) {
+INLINE vec3w load_albedo(global const float* p, int item, int k) {
     return (vec3w){convert_realw(*(global const floatw*)(p + lane_address(item, k, 0, 3))),
                    convert_realw(*(global const floatw*)(p + lane_address(item, k, 1, 3))),
                    convert_realw(*(global const floatw*)(p + lane_address(item, k, 2, 3)))};
@@ -43,8 +43,8 @@ static inline vec3w load_albedo(global const float* p, int item, int k) {
 #endif
 
 // Adds what the light gives the hits of packet k, of which `share` arrives.
-static inline void add_light(Hits hits, Albedos albedos, Real3 phi, realw share, int first, int item, int k,
-                             global real* radiance) {
+INLINE void add_light(Hits hits, Albedos albedos, Real3 phi, realw share, int first, int item, int k,
+                      global real* radiance) {
     const wholew lit = share > 0.0f;
     const int any_lit = any_lane(lit);
     if (!any_lit && !first) return;

@@ -10,7 +10,7 @@
 
 // Takes from the hits that the sphere occludes what they had; the result is not 0 when there were any. Most spheres
 // occlude nothing of a work-item, which is found first, in a third of the work.
-static inline int occlude(PencilSphere s, const ShadowRay* ray, const wholew* id, realw* share) {
+INLINE int occlude(PencilSphere s, const ShadowRay* ray, const wholew* id, realw* share) {
     wholew any = 0, changed = 0;
     FOR_PACKETS(k) any |= (share[k] > 0.0f) & (id[k] != s.id) & may_occlude(s, ray[k]);
     if (!any_lane(any)) return 0;
@@ -23,8 +23,8 @@ static inline int occlude(PencilSphere s, const ShadowRay* ray, const wholew* id
 }
 
 // Traces a group's rays as one fat ray. What occludes others of the work-item on its way may close them too.
-static inline void trace_group(Hierarchy hierarchy, LightPencil light, const ShadowRay* ray, const wholew* id,
-                               const wholew* group, realw* share) {
+INLINE void trace_group(Hierarchy hierarchy, LightPencil light, const ShadowRay* ray, const wholew* id,
+                        const wholew* group, realw* share) {
     const int face = face_of(light, ray, group);
     const FatShadowRay fat = fat_shadow_ray(light, face, ray, group);
     hierarchy.nodes += face * (hierarchy.last + 1);  // each face has its own
@@ -38,7 +38,7 @@ static inline void trace_group(Hierarchy hierarchy, LightPencil light, const Sha
 
 // Takes from `left` the hits whose t is at most `ratio` times that of the nearest: neighbours, in a block, whose shadow
 // rays stay together.
-static inline void take_group(const floatw* t, float ratio, wholew* left, wholew* group) {
+INLINE void take_group(const floatw* t, float ratio, wholew* left, wholew* group) {
     floatw nearest = wide_float(INFINITY);
     FOR_PACKETS(k) nearest = LESS_WHERE(ints_of(left[k]), t[k], nearest);
     const floatw limit = wide_float(REDUCE(least, nearest) * ratio);
@@ -51,8 +51,8 @@ static inline void take_group(const floatw* t, float ratio, wholew* left, wholew
 // ray[k]: the shadow rays of packet k; share[k]: what would arrive at its hits; where something is in between it
 // becomes 0. Where there are levels, hits are traced together whose distances from the eye differ by less than the
 // factor group_depth (> 1). With -D CERTIFIED=1 hits whose shadow rounding may decide are left undecided.
-static inline void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil light, const ShadowRay* ray,
-                                 float group_depth, int item, realw* share, Certainty certainty) {
+INLINE void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil light, const ShadowRay* ray, float group_depth,
+                          int item, realw* share, Certainty certainty) {
     floatw t[PACKETS];
     wholew id[PACKETS], left[PACKETS], group[PACKETS];
     FOR_PACKETS(k) {

@@ -18,7 +18,7 @@
 #include "cluster.h"
 #include "ieee.h"
 
-static inline realw sphere_discriminant(PencilSphere s, vec3w dir, realw b) {
+INLINE realw sphere_discriminant(PencilSphere s, vec3w dir, realw b) {
     if (!is_apart(s)) return fma(b, b, wide(-s.power));
     const vec3w across = fma_w(-b, dir, broadcast(s.center));  // from the line to the centre, shortest way
     return fma(-across.x, across.x, fma(-across.y, across.y, fma(-across.z, across.z, wide(s.r2))));
@@ -26,14 +26,14 @@ static inline realw sphere_discriminant(PencilSphere s, vec3w dir, realw b) {
 
 // Whether the line meets the sphere anywhere at t > 0, as far as a D tells that may be off by `edge`: seen from outside
 // the centre must lie ahead.
-static inline wholew may_meet(PencilSphere s, realw b, realw discriminant, real edge) {
+INLINE wholew may_meet(PencilSphere s, realw b, realw discriminant, real edge) {
     return (discriminant >= wide(-edge)) & ((b > 0.0f) | (wide(s.power) <= 0.0f));
 }
 
 // The smallest root > 0 of a line that meets the sphere. Roots of equal sign are never subtracted: the one of larger
 // magnitude is q = b +- sqrt(D), with the sign of b, and the other is C / q. From inside, or on the surface, that is
 // the far root; where there is none the result is not > 0.
-static inline realw sphere_root(PencilSphere s, realw b, realw discriminant) {
+INLINE realw sphere_root(PencilSphere s, realw b, realw discriminant) {
     const realw root = square_root(discriminant);
     const realw q = choose(b > 0.0f, b + root, b - root);
     const realw other = divide(wide(s.power), q);

@@ -33,7 +33,7 @@ typedef struct {
     realn hi, lo;
 } TwoReals;
 
-static inline TwoReals two(realn hi, realn lo) {
+INLINE TwoReals two(realn hi, realn lo) {
     TwoReals sum;
     sum.hi = hi;
     sum.lo = lo;
@@ -42,23 +42,23 @@ static inline TwoReals two(realn hi, realn lo) {
 
 // A number and what rounding to float left over. A double holds their sum exactly: the rest is a multiple of the last
 // place of the double that was split, rounded to 24 bits; what that lost is 2^-48 of the number.
-static inline TwoReals number_of(floatn value, floatn rest) {
+INLINE TwoReals number_of(floatn value, floatn rest) {
     return HOLDS_TWO_FLOATS ? two(reals_of_n(value) + reals_of_n(rest), 0.0f)
                             : two(reals_of_n(value), reals_of_n(rest));
 }
 
-static inline TwoReals two_sum(realn a, realn b) {
+INLINE TwoReals two_sum(realn a, realn b) {
     const realn sum = a + b, b_part = sum - a;
     return two(sum, (a - (sum - b_part)) + (b - b_part));
 }
-static inline TwoReals two_product(realn a, realn b) {
+INLINE TwoReals two_product(realn a, realn b) {
     const realn product = a * b;
     return two(product, fma(a, b, -product));
 }
 
 // c - (o + o_rest): the leading difference is exact, so what is lost is u^2 of the operands (u = 2^-24, of
 // doubles 2^-53).
-static inline TwoReals two_difference(TwoReals c, real o, real o_rest) {
+INLINE TwoReals two_difference(TwoReals c, real o, real o_rest) {
     const TwoReals d = two_sum(c.hi, (realn)(-o));
     return two_sum(d.hi, d.lo + (c.lo - o_rest));
 }
@@ -69,7 +69,7 @@ typedef struct {
 
 // |f|^2 - r^2 for f and r, rounded from a sum with an error of some 4 u^2 (|f|^2 + r^2) (Ogita, Rump
 // and Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26, 2005, algorithm Dot2).
-static inline realn power_of(TwoReals3 f, TwoReals r) {
+INLINE realn power_of(TwoReals3 f, TwoReals r) {
     const TwoReals xx = two_product(f.x.hi, f.x.hi), yy = two_product(f.y.hi, f.y.hi);
     const TwoReals zz = two_product(f.z.hi, f.z.hi), rr = two_product(r.hi, r.hi);
     const TwoReals a = two_sum(xx.hi, yy.hi), b = two_sum(a.hi, zz.hi), c = two_sum(b.hi, -rr.hi);
@@ -78,7 +78,7 @@ static inline realn power_of(TwoReals3 f, TwoReals r) {
 }
 
 // axis . f, likewise.
-static inline realn along(Real3 axis, TwoReals3 f) {
+INLINE realn along(Real3 axis, TwoReals3 f) {
     const TwoReals x = two_product((realn)(axis.x), f.x.hi), y = two_product((realn)(axis.y), f.y.hi);
     const TwoReals z = two_product((realn)(axis.z), f.z.hi);
     const TwoReals a = two_sum(x.hi, y.hi), b = two_sum(a.hi, z.hi);

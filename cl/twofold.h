@@ -10,34 +10,34 @@ typedef struct {
     realw hi, lo;
 } Twofold;
 
-static inline Twofold two_sum_w(realw a, realw b) {
+INLINE Twofold two_sum_w(realw a, realw b) {
     const realw sum = a + b, b_part = sum - a;
     return (Twofold){sum, (a - (sum - b_part)) + (b - b_part)};
 }
 // For |a| >= |b|, or a = 0.
-static inline Twofold fast_two_sum_w(realw a, realw b) {
+INLINE Twofold fast_two_sum_w(realw a, realw b) {
     const realw sum = a + b;
     return (Twofold){sum, b - (sum - a)};
 }
-static inline Twofold two_product_w(realw a, realw b) {
+INLINE Twofold two_product_w(realw a, realw b) {
     const realw product = a * b;
     return (Twofold){product, fma(a, b, -product)};
 }
 
-static inline Twofold twofold_dot(vec3w a, vec3w b) {
+INLINE Twofold twofold_dot(vec3w a, vec3w b) {
     const Twofold x = two_product_w(a.x, b.x), y = two_product_w(a.y, b.y), z = two_product_w(a.z, b.z);
     const Twofold xy = two_sum_w(x.hi, y.hi), xyz = two_sum_w(xy.hi, z.hi);
     return fast_two_sum_w(xyz.hi, (xy.lo + xyz.lo) + (x.lo + y.lo + z.lo));
 }
 
 // f - b dir, one component.
-static inline Twofold twofold_across(realw f, Twofold b, realw dir) {
+INLINE Twofold twofold_across(realw f, Twofold b, realw dir) {
     const Twofold product = two_product_w(b.hi, dir), difference = two_sum_w(f, -product.hi);
     return fast_two_sum_w(difference.hi, difference.lo - fma(b.lo, dir, product.lo));
 }
 
 // x^2 + y^2 + z^2.
-static inline Twofold twofold_square_sum(Twofold x, Twofold y, Twofold z) {
+INLINE Twofold twofold_square_sum(Twofold x, Twofold y, Twofold z) {
     const Twofold xx = two_product_w(x.hi, x.hi), yy = two_product_w(y.hi, y.hi), zz = two_product_w(z.hi, z.hi);
     const Twofold xy = two_sum_w(xx.hi, yy.hi), xyz = two_sum_w(xy.hi, zz.hi);
     const realw cross = 2.0f * fma(x.hi, x.lo, fma(y.hi, y.lo, z.hi * z.lo));
