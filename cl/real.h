@@ -5,10 +5,10 @@
 #define GNOMON_REAL_H
 
 // For what rays and pictures are made with: inlined before anything else is done to the kernel. Where that comes later
-// PoCL 6, with LLVM 18, moves structs that go by value through memory, in pieces of other sizes than it then reads:
-// intersect_closest takes 1.7 times as long, in certified pictures 2.3 times. PoCL 3.1, with LLVM 14, does not, and
-// builds kernels faster without. Of other drivers Oclgrind, told to inline, finds no kernel in the program.
-#if CLANG_TO_MACHINE && __clang_major__ > 14
+// PoCL moves structs that go by value through memory, with LLVM 18 (PoCL 6) in pieces of other sizes than it then
+// reads: intersect_closest takes 1.7 times as long, in certified pictures 2.3 times; with LLVM 15 (PoCL 3.1) 1.2 times
+// where nodes are walked down. Of other drivers Oclgrind, told to inline, finds no kernel in the program.
+#if CLANG_TO_MACHINE
 #define INLINE __attribute__((always_inline)) static inline
 #else
 #define INLINE static inline
