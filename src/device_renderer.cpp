@@ -45,11 +45,9 @@ void add(const Plan& plan, const std::vector<Launcher::Cost>& costs, RenderStats
 }
 
 void add(const Plan& plan, const Measured& measured, RenderStats& stats) {
-    stats.pixels = stats.hits = 0;
-    for (const Measured::Share& share : measured.shares) {
-        stats.pixels += share.pixels;
-        stats.hits += share.hits;
-    }
+    const Measured::Share all = measured.all_shares();
+    stats.pixels = all.pixels;
+    stats.hits = all.hits;
     for (size_t i = 0; i < plan.variants.size(); ++i) {
         KernelStats& kernel = stats.kernels[i];
         if (measured.launches[i] == 0) continue;
@@ -65,18 +63,15 @@ void add(const Plan& plan, const Measured& measured, RenderStats& stats) {
 /// What the device did or, where its cores are apart, each of them.
 std::vector<DeviceShare> shares_of(const DeviceInfo& device, const Plan& plan, const Measured& measured,
                                    double seconds) {
+    const auto share_of = [&](const DeviceInfo& who, const Measured::Share& its) {
+        return DeviceShare{who, its.tiles, rays_of(plan, its.pixels, its.hits), seconds};
+    };
+    const auto parts = static_cast<int>(measured.shares.size());
+    if (!device.cores_apart || parts == 1) return {share_of(device, measured.all_shares())};
     std::vector<DeviceShare> shares;
-    const int parts = static_cast<int>(measured.shares.size());
-    for (const Measured::Share& share : measured.shares)
-        shares.push_back({device.part_of(parts, static_cast<int>(shares.size())), share.tiles,
-                          rays_of(plan, share.pixels, share.hits), seconds});
-    if (device.cores_apart && parts > 1) return shares;
-    DeviceShare all{device, 0, 0, seconds};
-    for (const DeviceShare& share : shares) {
-        all.tiles += share.tiles;
-        all.rays += share.rays;
-    }
-    return {all};
+    for (const Measured::Share& its : measured.shares)
+        shares.push_back(share_of(device.part_of(parts, static_cast<int>(shares.size())), its));
+    return shares;
 }
 
 }  // namespace

@@ -16,6 +16,10 @@ namespace gnomon {
 /// The driver's handle for a listed device.
 cl::Device open_device(const DeviceInfo& info);
 
+/// The device that a part is of, and the equal parts of one, described as list_devices() would. Throw cl::Error.
+DeviceInfo whole_of(const DeviceInfo& part);
+std::vector<DeviceInfo> parts_of(const DeviceInfo& whole, int parts);
+
 /// The equal parts of a device, of so many compute units each, in order. Each is made once.
 std::vector<cl::Device> equal_parts(const cl::Device& device, int units);
 

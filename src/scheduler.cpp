@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "dealer.h"
+
 namespace gnomon {
 
 namespace {
@@ -24,6 +26,16 @@ bool meets_spheres(Kernel kernel, const Plan& plan) {
 bool deals_tiles(const Plan& plan) {
     const bool is_shared_cpu = plan.shares_tiles && plan.stream && plan.flat() && !plan.memory.by_view;
     return plan.workers > 1 || is_shared_cpu;
+}
+
+Measured::Share Measured::all_shares() const {
+    Share all;
+    for (const Share& share : shares) {
+        all.tiles += share.tiles;
+        all.pixels += share.pixels;
+        all.hits += share.hits;
+    }
+    return all;
 }
 
 Scheduler::Scheduler(const Workers& workers, const DeviceMemory& memory, const Plan& plan, const SceneBuffers& scene,

@@ -8,7 +8,6 @@
 
 #include "binder.h"
 #include "chunked_spheres.h"
-#include "dealer.h"
 #include "film.h"
 #include "launcher.h"
 #include "plan.h"
@@ -30,7 +29,8 @@ struct Measured {
         int tiles = 0;
         int64_t pixels = 0, hits = 0;
     };
-    std::vector<Share> shares;   ///< of the workers
+    std::vector<Share> shares;  ///< of the workers
+    Share all_shares() const;
     std::vector<int> undecided;  ///< pixels, as places in the image row by row, in any order
 };
 

@@ -17,8 +17,7 @@ namespace {
 /// itself, as PoCL does on a CPU: another may copy all of a plane back over what the others wrote.
 DeviceLimits limits_of(const DeviceInfo& device, bool alone) {
     DeviceLimits limits(device);
-    const bool in_place = device.type == DeviceType::cpu && device.platform_name == "Portable Computing Language";
-    if (!alone && !in_place) limits.shares_memory = false;
+    if (!alone && !device.is_pocl()) limits.shares_memory = false;
     return limits;
 }
 

@@ -30,10 +30,6 @@ std::vector<DeviceInfo> halves() {
     return {};
 }
 
-DeviceInfo whole_of(const DeviceInfo& part) {
-    return choose_device(list_devices(), part.number().substr(0, part.number().find('/')));
-}
-
 /// Both halves, which are one device if they are cores; and a device with a half of itself, which are two.
 std::vector<std::vector<DeviceInfo>> teams() {
     const std::vector<DeviceInfo> parts = halves();
@@ -163,7 +159,7 @@ TEST_CASE("team: requests name several devices, and each is there once", "[team]
     CHECK(contains(refusal({first + "/99999"}), "cannot be cut"));
     const std::vector<DeviceInfo> parts = halves();
     if (parts.empty()) return;
-    const std::string whole = parts[0].number().substr(0, parts[0].number().find('/'));
+    const std::string whole = whole_of(parts[0]).number();
     CHECK(parts[1].number() == whole + "/2.1");
     CHECK(parts[0].compute_units == parts[1].compute_units);
     CHECK(contains(refusal({whole, whole + "/2"}), "asked for twice"));
@@ -172,7 +168,7 @@ TEST_CASE("team: requests name several devices, and each is there once", "[team]
 TEST_CASE("team: the program says who did what, and an error which device it is of", "[team][cli]") {
     const std::vector<DeviceInfo> parts = halves();
     if (parts.empty()) return;  // no device here can be cut
-    const std::string whole = parts[0].number().substr(0, parts[0].number().find('/'));
+    const std::string whole = whole_of(parts[0]).number();
     const TempFolder folder;
     const std::string one = folder / "one.png", two = folder / "two.png", json = folder / "stats.json";
     REQUIRE(render_small("--device " + whole + " -o " + quoted(one)).code == 0);
