@@ -11,9 +11,6 @@ INLINE size_t lane_address(int item, int k, int c, int n) {
     return (size_t)(first / BLOCK_RAYS * (uint)n + (uint)c) * BLOCK_RAYS + first % BLOCK_RAYS + (uint)(k * LANES);
 }
 
-// The work-group's number among those of all work-items, of which this launch begins with `first_item`.
-INLINE int group_of_all(int first_item) { return first_item / (int)get_local_size(0) + (int)get_group_id(0); }
-
 INLINE realw load_r(global const real* p, int item, int k) {
     return *(global const realw*)(p + lane_address(item, k, 0, 1));
 }

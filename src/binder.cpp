@@ -44,7 +44,7 @@ void Binder::bind(cl::Kernel& kernel, const TileLaunch& launch) const {
         case Kernel::intersect_closest:
             return set_arguments(kernel, b.dirs, scene_.eye, launch.tile, scene_.eye_basis, launch.spheres->clusters,
                                  launch.spheres->nodes, launch.spheres->levels, launch.spheres->last,
-                                 launch.first_chunk ? 1 : 0, items, b.ts, b.normals, b.ids, launch.first_group,
+                                 launch.first_chunk ? 1 : 0, items, b.ts, b.normals, b.ids, launch.first_block,
                                  hit_counts_, base_doubt(), undecided_.doubts(), undecided_.words(),
                                  UndecidedRays::first_word(launch.first_block));
         case Kernel::intersect_shadow:

@@ -21,7 +21,6 @@ struct TileLaunch {
     const Step& step;
     const Tile& tile;
     const TileBuffers& buffers;
-    int first_group = 0;                     ///< of the tile's work-groups, in the counts of hits
     int first_block = 0;                     ///< of the tile's blocks, in all tiles'
     const SphereBuffers* spheres = nullptr;  ///< for the kernels that meet them
     bool first_chunk = true;                 ///< of these

@@ -83,12 +83,10 @@ MemoryPlan share_memory(const Plan& plan, const Scene& scene, const Survey& surv
     needs.asked_tile_rays = options.tile;
     needs.film_bytes_per_ray = plan.write_in_place ? 0 : 3 * 4;
     needs.all_views = options.accuracy == Accuracy::certified;
-    // The counts of hits, one a work-group and 4 bytes, and a value for each buffer that a scene does not use.
+    // The counts of hits, one a block and 4 bytes, and a value for each buffer that a scene does not use.
     constexpr int64_t unused = 1024;
-    needs.other_bytes =
-        (options.accuracy == Accuracy::certified ? certifying_bytes(needs) : 0) +
-        4 * (needs.image_rays / (plan.rays_per_item() * plan.local_size) + static_cast<int64_t>(plan.tiles.size())) +
-        unused;
+    needs.other_bytes = (options.accuracy == Accuracy::certified ? certifying_bytes(needs) : 0) +
+                        4 * needs.image_rays / BLOCK_RAYS + unused;
     const uint64_t allowed = options.memory > 0 ? std::min(limits.global_bytes, options.memory) : limits.global_bytes;
     return plan_memory(needs, {static_cast<int64_t>(allowed), static_cast<int64_t>(limits.max_alloc_bytes)});
 }

@@ -47,7 +47,7 @@ Refinement::Refinement(const Workers& workers, const DeviceMemory& memory, Progr
       tile_(tile),
       film_(film),
       memory_(memory),
-      hit_counts_(memory.room<int>(refinement_batch)),
+      hit_counts_(memory.room<int>(refinement_batch / BLOCK_RAYS)),
       undecided_(memory, plan, refinement_batch / BLOCK_RAYS),
       binder_(workers.context(), plan, scene, film, hit_counts_, undecided_),
       launches_(pace, stop, [this](int, int64_t, double seconds) { longest_ = std::max(longest_, seconds); }) {}
@@ -85,7 +85,7 @@ void Refinement::trace(const cl::Buffer& places, int first, int count) {
         }
         const SphereBuffers& spheres =
             step.light < 0 ? scene_.spheres : scene_.lights[static_cast<size_t>(step.light)].spheres;
-        binder_.bind(kernel, {step, tile, tile_, 0, 0, &spheres});
+        binder_.bind(kernel, {step, tile, tile_, 0, &spheres});
         launch(step, built, kernel, plan_.items(step.kernel, tile));
     }
 }

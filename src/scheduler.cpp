@@ -63,22 +63,19 @@ Scheduler::Scheduler(const Workers& workers, const DeviceMemory& memory, const P
     measured_.longest.resize(plan.variants.size());
     measured_.shares.resize(workers_.size());
     workers_of_tiles_.resize(plan.tiles.size());
-    int blocks = 0;
     for (const Tile& tile : plan.tiles) {
-        first_blocks_.push_back(blocks);
-        blocks += tile.blocks;
-        first_groups_.push_back(groups_);
-        groups_ += static_cast<int>(groups(Kernel::intersect_closest, tile));
+        first_blocks_.push_back(blocks_);
+        blocks_ += tile.blocks;
         last_items_ += plan.items(plan.steps.back().kernel, tile);
     }
-    hit_counts_ = memory.room<int>(groups_);
+    hit_counts_ = memory.room<int>(blocks_);
     binder_.emplace(workers.context(), plan, scene, film, hit_counts_, undecided_);
 }
 
 Measured Scheduler::run(TileQueue& tiles, const std::vector<cl::Event>& after,
                         const std::function<void(double)>& progress) {
     tiles_ = &tiles;
-    std::vector<int> hits(static_cast<size_t>(groups_));
+    std::vector<int> hits(static_cast<size_t>(blocks_));
     // Commands under way write into the film and the counts: never leave before they have ended.
     struct Finish {
         Scheduler& scheduler;
@@ -88,7 +85,7 @@ Measured Scheduler::run(TileQueue& tiles, const std::vector<cl::Event>& after,
         }
     } finish{*this};
     std::vector<cl::Event> ready = after;
-    queue_.enqueueFillBuffer(hit_counts_, 0, 0, static_cast<size_t>(groups_) * sizeof(int), nullptr,
+    queue_.enqueueFillBuffer(hit_counts_, 0, 0, static_cast<size_t>(blocks_) * sizeof(int), nullptr,
                              &ready.emplace_back());
     if (plan_.certified) undecided_.clear(queue_, ready);
     queue_.flush();  // or other queues might wait for it forever (OpenCL 1.2, 5.13)
@@ -189,8 +186,7 @@ void Scheduler::launch_step(Slot& slot, const Step& step) {
 }
 
 TileLaunch Scheduler::launch_of(const Slot& slot, const Step& step) const {
-    return {
-        step, tile_of(slot), slot.buffers, first_groups_[slot.tile], first_blocks_[slot.tile], &resident_spheres(step)};
+    return {step, tile_of(slot), slot.buffers, first_blocks_[slot.tile], &resident_spheres(step)};
 }
 
 /// What a step launches for the slot's tile; all of the tile's arguments are set.
@@ -240,10 +236,6 @@ void Scheduler::look_up_albedos(const Tile& tile, Slot& slot) {
     queue_.enqueueWriteBuffer(slot.buffers.albedos, CL_TRUE, 0, albedos.size() * sizeof(float), albedos.data());
 }
 
-size_t Scheduler::groups(Kernel kernel, const Tile& tile) const {
-    return static_cast<size_t>((plan_.items(kernel, tile) + plan_.local_size - 1) / plan_.local_size);
-}
-
 void Scheduler::read_planes(Output output, const Tile& tile, Slot& slot) {
     const auto x = static_cast<size_t>(tile.x), y = static_cast<size_t>(tile.y), value = sizeof(float);
     const auto tile_width = static_cast<size_t>(tile.blocks_x) * BLOCK_SIDE, width = static_cast<size_t>(film_.width);
@@ -263,11 +255,9 @@ void Scheduler::read_planes(Output output, const Tile& tile, Slot& slot) {
     slot.busy = {all};
 }
 
-void Scheduler::count_hits(const std::vector<int>& of_groups) {
-    for (size_t tile = 0; tile < first_groups_.size(); ++tile) {
-        const auto begin = of_groups.begin() + first_groups_[tile];
-        const auto end =
-            tile + 1 < first_groups_.size() ? of_groups.begin() + first_groups_[tile + 1] : of_groups.end();
+void Scheduler::count_hits(const std::vector<int>& of_blocks) {
+    for (size_t tile = 0; tile < first_blocks_.size(); ++tile) {
+        const auto begin = of_blocks.begin() + first_blocks_[tile], end = begin + plan_.tiles[tile].blocks;
         measured_.shares[workers_of_tiles_[tile]].hits += std::accumulate(begin, end, int64_t{0});
     }
 }

@@ -68,7 +68,6 @@ class Scheduler {
     void await_room();
     cl::Event launch_turn(size_t worker);
     void launch_step(Slot& slot, const Step& step);
-    size_t groups(Kernel kernel, const Tile& tile) const;
     const Tile& tile_of(const Slot& slot) const { return plan_.tiles[slot.tile]; }
     TileLaunch launch_of(const Slot& slot, const Step& step) const;
     Work work(const Slot& slot, const Step& step);
@@ -78,7 +77,7 @@ class Scheduler {
     void look_up_albedos(const Tile& tile, Slot& slot);
     const SphereBuffers& resident_spheres(const Step& step) const;
     void read_planes(Output output, const Tile& tile, Slot& slot);
-    void count_hits(const std::vector<int>& of_groups);
+    void count_hits(const std::vector<int>& of_blocks);
     void ended(int tag, int64_t items, double seconds);
     void map_film();
 
@@ -95,11 +94,11 @@ class Scheduler {
     TileQueue* tiles_ = nullptr;
     std::vector<Slot> slots_;
     std::vector<Launches> launches_;  // of each worker
-    cl::Buffer hit_counts_;           // for each work-group of intersect_closest, tile after tile
+    cl::Buffer hit_counts_;           // of each block, tile after tile
     UndecidedRays undecided_;
-    std::vector<int> first_groups_, first_blocks_;  // of each tile, in hit_counts_ and in all tiles' blocks
-    std::vector<size_t> workers_of_tiles_;          // who took each
-    int groups_ = 0;                                // of all tiles
+    std::vector<int> first_blocks_;         // of each tile, among all tiles'
+    std::vector<size_t> workers_of_tiles_;  // who took each
+    int blocks_ = 0;                        // of all tiles
     // Work-items of the last step: of all tiles, of those that were taken, and those that have ended.
     int64_t last_items_ = 0, taken_items_ = 0, done_items_ = 0;
     std::deque<int64_t> due_;  // done_items_ when each tile under way has ended, in order

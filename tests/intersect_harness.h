@@ -26,26 +26,25 @@ template <class real>
 HitsOf<real> closest(Bench& bench, Width w, const Camera& camera, const PencilSpheresOf<real>& spheres,
                      const std::vector<real>& packed_dirs) {
     INFO(w);
-    constexpr int first_group = 3, counted_before = 1000;
+    constexpr int first_block = 3, counted_before = 1000;
     const size_t rays = packed_dirs.size() / 3;
     const int items = static_cast<int>(rays) / w.rays();
-    const auto groups = static_cast<size_t>((items + bench.local - 1) / bench.local);
+    const size_t blocks = (rays + BLOCK_RAYS - 1) / BLOCK_RAYS;
     const GuardedBuffer<real> dirs(bench, packed_dirs), ts(bench, rays), normals(bench, 3 * rays);
     const GuardedSpheres<real> in(bench, spheres);
-    const GuardedBuffer<int> ids(bench, rays), counts(bench, std::vector<int>(first_group + groups, counted_before));
+    const GuardedBuffer<int> ids(bench, rays), counts(bench, std::vector<int>(first_block + blocks, counted_before));
     bench.launch(bench.programs
                      .get({Kernel::intersect_closest, w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_READ"}),
                            accuracy_of<real>})
                      .kernel,
                  items, dirs.buffer(), EyePencilOf<real>{}, Tile{}, eye_basis(camera), in.clusters.buffer(),
                  in.nodes.buffer(), spheres.levels, spheres.last, 1, items, ts.buffer(), normals.buffer(), ids.buffer(),
-                 first_group, counts.buffer(), real(0), ts.buffer(), ids.buffer(), 0);
+                 first_block, counts.buffer(), real(0), ts.buffer(), ids.buffer(), 0);
     HitsOf<real> hits{ts.read(), normals.read(), ids.read(), counts.read()};
     dirs.check_unchanged();
     in.check_unchanged();
-    std::vector<int> expected(first_group + groups, counted_before);
-    const size_t group_rays = static_cast<size_t>(w.rays() * bench.local);
-    for (size_t ray = 0; ray < rays; ++ray) expected[first_group + ray / group_rays] += hits.ids[ray] >= 0;
+    std::vector<int> expected(first_block + blocks, counted_before);
+    for (size_t ray = 0; ray < rays; ++ray) expected[first_block + ray / BLOCK_RAYS] += hits.ids[ray] >= 0;
     CHECK(hits.counts == expected);
     return hits;
 }
@@ -72,7 +71,7 @@ inline Hits closest_of_pixels(Bench& bench, Width w, const Scene& scene, const T
     const GuardedSpheres<float> in(bench, spheres);
     const GuardedBuffer<float> dirs(bench, 3 * rays), ts(bench, rays), normals(bench, 3 * rays);
     const GuardedBuffer<int> ids(bench, rays);
-    const GuardedBuffer<int> counts(bench, std::vector<int>(static_cast<size_t>(items / bench.local + 1)));
+    const GuardedBuffer<int> counts(bench, std::vector<int>(static_cast<size_t>(tile.blocks)));
     const Variant variant{Kernel::intersect_closest,
                           w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_GENERATED"})};
     bench.launch(bench.programs.get(variant).kernel, items, dirs.buffer(), eye_pencil(scene.camera, scene.image), tile,
