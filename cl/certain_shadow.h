@@ -24,7 +24,7 @@ INLINE LightDoubt doubt_at(LightPencil light, real position, real curvature, rea
 }
 
 INLINE Certainty certainty_of(LightPencil light, global const real* doubts, real base, Undecided undecided, int item) {
-    const int place = doubts_place(undecided.first_word, item);
+    const int place = doubts_place(undecided.first_block, item);
     const real curvature = doubts[place + 1];
     return (Certainty){doubt_at(light, doubts[place], curvature, base), curvature, base, undecided};
 }

@@ -130,10 +130,10 @@ INLINE realw position_doubt(realw t, vec3w dir, vec3w normal, real steep, real b
     return fma(t, fma(wide(1.3f * steep), x, wide(steep + 20 * ROUNDING)), wide(base));
 }
 
-// The undecided rays of a picture: a bit each, 32 rays a word, those of a tile from first_word on.
+// The undecided rays of a picture: a bit each, 32 rays a word, those of a tile from that of first_block on.
 typedef struct {
     global uint* words;
-    int first_word;
+    int first_block;
 } Undecided;
 
 // A mask of packet k as bits of its work-item.
@@ -143,8 +143,8 @@ INLINE ulong bits_of_packet(wholew which, int k) { return (ulong)(uint)lane_bits
 // What lights must know of hits that are not undecided, of DOUBT_RAYS neighbouring rays together (those of a block, or
 // each ray alone, so that it does not depend on LANES): how far the position of any may be off, and the most curved
 // sphere, 1 / radius, as far as the normal tells. Where they are several work-items', both are 0 before.
-INLINE int doubts_place(int first_word, int item) {
-    return 2 * (int)(((ulong)first_word * 32 + (ulong)item * (LANES * PACKETS)) / DOUBT_RAYS);
+INLINE int doubts_place(int first_block, int item) {
+    return 2 * (int)(((ulong)first_block * BLOCK_RAYS + (ulong)item * (LANES * PACKETS)) / DOUBT_RAYS);
 }
 #if REAL_IS_DOUBLE
 #define MOST_OF(v) (v)  // each ray alone
@@ -165,7 +165,7 @@ INLINE void keep_doubts(realw position, realw curvature, global real* doubts, in
 INLINE void leave_undecided(ulong rays, Undecided undecided, int item) {
     if (!rays) return;
     const uint first = (uint)item * (LANES * PACKETS);
-    global uint* word = undecided.words + undecided.first_word + first / 32;
+    global uint* word = undecided.words + undecided.first_block * (BLOCK_RAYS / 32) + first / 32;
     atomic_or(word, (uint)rays << first % 32);
 #if LANES * PACKETS > 32
     atomic_or(word + 1, (uint)(rays >> 32));

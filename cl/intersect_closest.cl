@@ -5,8 +5,8 @@
 // outward unit normal and the id (a miss: +inf, (inf, inf, inf), -1); adds to hit_counts, one a block and first_block
 // of them before these, how many more of its rays hit. Where the spheres come in chunks (-D CHUNKS=1) and this is not
 // the first of them, what was written for those before is read, and stays where nothing is closer. With -D CERTIFIED=1
-// it also sets the bits of the rays of which rounding may decide what they hit in undecided (one a ray, from word
-// first_word on), and keeps in doubts what is to be known of all others' hits (certify.h). One work-item: PACKETS *
+// it also sets the bits of the rays of which rounding may decide what they hit in undecided (one a ray, from
+// first_block's on), and keeps in doubts what is to be known of all others' hits (certify.h). One work-item: PACKETS *
 // LANES neighbouring rays of a block against the spheres that their fat ray may meet.
 #include "certain_hit.h"
 #include "closest_hit.h"
@@ -67,16 +67,17 @@ INLINE void count_hits(global int* counts, int item, int more) {
 #endif
 }
 
-kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, const Tile tile, const Basis basis,
-                              global const PencilCluster* restrict clusters, global const Node* restrict nodes,
-                              const int levels, const int last, const int first_chunk, const int items,
-                              global real* restrict ts, global real* restrict normals, global int* restrict ids,
-                              const int first_block, global int* restrict hit_counts, const real base,
-                              global real* restrict doubts, global uint* restrict undecided, const int first_word,
-                              const int first_item) {
+kernel void intersect_closest(global real* restrict dirs, global const PencilCluster* restrict clusters,
+                              global const Node* restrict nodes, global real* restrict ts,
+                              global real* restrict normals, global int* restrict ids, global int* restrict hit_counts,
+#if CERTIFIED
+                              global real* restrict doubts, global uint* restrict undecided,
+#endif
+                              const EyePencil eye, const Basis basis, const Pass pass, const int first_item) {
     const int item = first_item + (int)get_global_id(0);
-    if (item >= items) return;
-    const Hierarchy hierarchy = {clusters, nodes, levels, last};
+    if (item >= pass.items) return;
+    const Hierarchy hierarchy = {clusters, nodes, pass.levels, pass.last};
+    const real base = pass.base_doubt;
     vec3w dir[PACKETS];
     Hit hit[PACKETS];
     Bounds bounds;
@@ -89,7 +90,7 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
     wholew valid[PACKETS];
 #if RAYS == RAYS_GENERATED
     // Most work-items that meet nothing are known before their rays are.
-    FatRay fat = eye_fat_ray(eye, tile, item, basis);
+    FatRay fat = eye_fat_ray(eye, pass.tile, item, basis);
     Traversal traversal = begin(hierarchy, fat);
     int rest, c = next_candidates(hierarchy, &traversal, fat, &rest);
     if (c < 0) {
@@ -99,7 +100,7 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
 #endif
     FOR_PACKETS(k) {
 #if RAYS == RAYS_GENERATED
-        dir[k] = eye_rays(eye, tile, item, k);
+        dir[k] = eye_rays(eye, pass.tile, item, k);
         store_3(dir[k], dirs, item, k);
 #else
         dir[k] = load_3(dirs, item, k);
@@ -109,7 +110,7 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
         bounds.other[k] = wide(INFINITY);
     }
 #if CHUNKS
-    if (!first_chunk) FOR_PACKETS(k) {
+    if (!pass.first_chunk) FOR_PACKETS(k) {
             hit[k].t = load_r(ts, item, k);
             hit[k].id = load_i(ids, item, k);
         }
@@ -151,7 +152,7 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
 #endif
         hits += choose(hit[k].id >= 0, (wholew)(1), (wholew)(0));
 #if CHUNKS
-        if (!first_chunk) {
+        if (!pass.first_chunk) {
             const wholew before = load_i(ids, item, k);  // hits that stayed as they were have no centre here
             normal = select_w(hit[k].id != before, normal, load_3(normals, item, k));
             hits -= choose(before >= 0, (wholew)(1), (wholew)(0));
@@ -161,8 +162,8 @@ kernel void intersect_closest(global real* restrict dirs, const EyePencil eye, c
         store_i(hit[k].id, ids, item, k);
     }
 #if CERTIFIED
-    keep_doubts(farthest_off, most_curved, doubts, doubts_place(first_word, item));
-    leave_undecided(open, (Undecided){undecided, first_word}, item);
+    keep_doubts(farthest_off, most_curved, doubts, doubts_place(pass.first_block, item));
+    leave_undecided(open, (Undecided){undecided, pass.first_block}, item);
 #endif
-    count_hits(hit_counts + first_block, item, REDUCE(count, ints_of(hits)));
+    count_hits(hit_counts + pass.first_block, item, REDUCE(count, ints_of(hits)));
 }

@@ -10,23 +10,22 @@
 kernel void intersect_shadow(global const real* restrict dirs, global const real* restrict ts,
                              global const real* restrict normals, global const int* restrict ids,
                              global const PencilCluster* restrict clusters, global const Node* restrict nodes,
-                             const int levels, const int last, const int first_chunk, const float group_depth,
-                             const LightPencil light, const int items, global real* restrict arrival,
+                             global real* restrict arrival, const LightPencil light, const Pass pass,
                              const int first_item) {
     const int item = first_item + (int)get_global_id(0);
-    if (item >= items) return;
+    if (item >= pass.items) return;
     realw share[PACKETS];
     ShadowRay ray[PACKETS];
-    const Hierarchy hierarchy = {clusters, nodes, levels, last};
+    const Hierarchy hierarchy = {clusters, nodes, pass.levels, pass.last};
     const Hits hits = {dirs, ts, normals, ids};
     FOR_PACKETS(k) {
         ray[k] = shadow_ray(light, position_of(hits, item, k));
 #if CHUNKS
-        share[k] = first_chunk ? unshadowed(hits, light, ray[k], item, k) : load_r(arrival, item, k);
+        share[k] = pass.first_chunk ? unshadowed(hits, light, ray[k], item, k) : load_r(arrival, item, k);
 #else
         share[k] = unshadowed(hits, light, ray[k], item, k);
 #endif
     }
-    trace_shadows(hits, hierarchy, light, ray, group_depth, item, share, (Certainty){0});
+    trace_shadows(hits, hierarchy, light, ray, pass.group_depth, item, share, (Certainty){0});
     FOR_PACKETS(k) store_r(share[k], arrival, item, k);
 }

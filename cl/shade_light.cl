@@ -65,18 +65,22 @@ INLINE void add_light(Hits hits, Albedos albedos, Real3 phi, realw share, int fi
 
 kernel void shade_light(global const real* restrict dirs, global const real* restrict ts,
                         global const real* restrict normals, global const int* restrict ids,
-                        global const real* restrict arrival, global const PencilCluster* restrict clusters,
-                        global const Node* restrict nodes, const int levels, const int last, const float group_depth,
-                        global const float* restrict albedos, const int first_albedo, const int albedo_stride,
-                        const LightPencil light, const Real3 phi, const int first, const int items,
-                        global real* radiance, const int last_light, const Tile tile, const Planes planes,
-                        global int* plane0, global int* plane1, global int* plane2, const real base,
-                        global const real* restrict doubts, global uint* undecided, const int first_word,
-                        const int first_item) {
-    const int place = first_item + (int)get_global_id(0);
-    if (place >= items) return;
+#if SHADOWS == SHADOWS_READ
+                        global const real* restrict arrival,
+#endif
+                        global const PencilCluster* restrict clusters, global const Node* restrict nodes,
+                        global const float* restrict albedos, global real* radiance,
 #if RESOLVES
-    const Pair pair = pair_of(tile, place);
+                        global int* plane0, global int* plane1, global int* plane2,
+#endif
+#if CERTIFIED
+                        global const real* restrict doubts, global uint* undecided,
+#endif
+                        const LightPencil light, const Pass pass, const Shading shading, const int first_item) {
+    const int place = first_item + (int)get_global_id(0);
+    if (place >= pass.items) return;
+#if RESOLVES
+    const Pair pair = pair_of(pass.tile, place);
     const int each = BLOCK_RAYS / (LANES * PACKETS), begin = pair.first * each, end = begin + pair.count * each;
 #else
     const int begin = place, end = begin + 1;
@@ -89,7 +93,8 @@ kernel void shade_light(global const real* restrict dirs, global const real* res
 #else
         ShadowRay ray[PACKETS];
 #if CERTIFIED
-        const Certainty certainty = certainty_of(light, doubts, base, (Undecided){undecided, first_word}, item);
+        const Certainty certainty =
+            certainty_of(light, doubts, pass.base_doubt, (Undecided){undecided, pass.first_block}, item);
         ulong open = 0;
 #else
         const Certainty certainty = {0};
@@ -108,15 +113,15 @@ kernel void shade_light(global const real* restrict dirs, global const real* res
 #endif
 #endif
 #if SHADOWS == SHADOWS_TRACED
-        const Hierarchy hierarchy = {clusters, nodes, levels, last};
-        trace_shadows(hits, hierarchy, light, ray, group_depth, item, share, certainty);
+        const Hierarchy hierarchy = {clusters, nodes, pass.levels, pass.last};
+        trace_shadows(hits, hierarchy, light, ray, pass.group_depth, item, share, certainty);
 #endif
-        const Albedos all = {albedos + first_albedo, albedo_stride};
-        FOR_PACKETS(k) add_light(hits, all, phi, share[k], first, item, k, radiance);
+        const Albedos all = {albedos + shading.first_albedo, shading.albedo_stride};
+        FOR_PACKETS(k) add_light(hits, all, shading.phi, share[k], shading.first, item, k, radiance);
     }
 #if RESOLVES
-    if (last_light)
+    if (shading.last)
         for (int row = 0; row < BLOCK_SIDE; ++row)
-            resolve_row(radiance, 3, tile, planes, pair, row, plane0, plane1, plane2);
+            resolve_row(radiance, 3, pass.tile, shading.planes, pair, row, plane0, plane1, plane2);
 #endif
 }

@@ -1,6 +1,9 @@
 #include "binder.h"
 
 #include <algorithm>
+#include <type_traits>
+
+#include "arguments.h"
 
 namespace gnomon {
 
@@ -37,45 +40,41 @@ Binder::Binder(const cl::Context& context, const Plan& plan, const SceneBuffers&
 
 void Binder::bind(cl::Kernel& kernel, const TileLaunch& launch) const {
     const TileBuffers& b = launch.buffers;
-    const int items = plan_.items(launch.step.kernel, launch.tile);
     switch (launch.step.kernel) {
         case Kernel::generate_rays:
-            return set_arguments(kernel, scene_.eye, launch.tile, items, b.dirs);
+            Arguments(kernel).add(scene_.eye, launch.tile, plan_.items(launch.step.kernel, launch.tile), b.dirs);
+            break;
         case Kernel::intersect_closest:
-            return set_arguments(kernel, b.dirs, scene_.eye, launch.tile, scene_.eye_basis, launch.spheres->clusters,
-                                 launch.spheres->nodes, launch.spheres->levels, launch.spheres->last,
-                                 launch.first_chunk ? 1 : 0, items, b.ts, b.normals, b.ids, launch.first_block,
-                                 hit_counts_, base_doubt(), undecided_.doubts(), undecided_.words(),
-                                 UndecidedRays::first_word(launch.first_block));
+            Arguments(kernel)
+                .add(b.dirs, launch.spheres->clusters, launch.spheres->nodes, b.ts, b.normals, b.ids, hit_counts_)
+                .add_if(plan_.certified, undecided_.doubts(), undecided_.words())
+                .add(scene_.eye, scene_.eye_basis, pass(launch));
+            break;
         case Kernel::intersect_shadow:
+            Arguments(kernel).add(b.dirs, b.ts, b.normals, b.ids, launch.spheres->clusters, launch.spheres->nodes,
+                                  b.arrival, light(launch).pencil, pass(launch));
+            break;
         case Kernel::shade_light:
-            return bind_light(kernel, launch, items);
+            bind_shade_light(kernel, launch);
+            break;
         case Kernel::resolve:
-            return bind_resolve(kernel, launch);
+            bind_resolve(kernel, launch);
+            break;
         default:  // the kernels before the tiles are no steps
             break;
     }
 }
 
-void Binder::bind_light(cl::Kernel& kernel, const TileLaunch& launch, int items) const {
+void Binder::bind_shade_light(cl::Kernel& kernel, const TileLaunch& launch) const {
     const TileBuffers& b = launch.buffers;
-    const LightBuffers& light = scene_.lights[static_cast<size_t>(launch.step.light)];
-    const SphereBuffers& s = *launch.spheres;
-    const AlbedoBuffer of_rays{b.albedos, 0, 0};
-    const AlbedoBuffer& albedos = plan_.albedos_of_rays ? of_rays : scene_.albedos;
-    const auto with = [&](const auto& pencil) {
-        if (launch.step.kernel == Kernel::intersect_shadow)
-            set_arguments(kernel, b.dirs, b.ts, b.normals, b.ids, s.clusters, s.nodes, s.levels, s.last,
-                          launch.first_chunk ? 1 : 0, plan_.group_depth, pencil, items, b.arrival);
-        else
-            set_arguments(kernel, b.dirs, b.ts, b.normals, b.ids, b.arrival, s.clusters, s.nodes, s.levels, s.last,
-                          plan_.group_depth, albedos.values, albedos.first, albedos.stride, pencil, light.phi,
-                          launch.step.first ? 1 : 0, items, b.radiance, launch.step.resolves ? 1 : 0, launch.tile,
-                          shape_of_planes(launch.tile), plane(launch, 0), plane(launch, 1), plane(launch, 2),
-                          base_doubt(), undecided_.doubts(), undecided_.words(),
-                          UndecidedRays::first_word(launch.first_block));
-    };
-    std::visit(with, light.pencil);
+    Arguments arguments(kernel);
+    arguments.add(b.dirs, b.ts, b.normals, b.ids)
+        .add_if(plan_.shadows == Shadows::read, b.arrival)
+        .add(launch.spheres->clusters, launch.spheres->nodes)
+        .add(plan_.albedos_of_rays ? b.albedos : scene_.albedos.values, b.radiance);
+    if (!plan_.resolve_radiance) arguments.add(plane(launch, 0), plane(launch, 1), plane(launch, 2));
+    arguments.add_if(plan_.certified, undecided_.doubts(), undecided_.words())
+        .add(light(launch).pencil, pass(launch), shading(launch));
 }
 
 void Binder::bind_resolve(cl::Kernel& kernel, const TileLaunch& launch) const {
@@ -83,13 +82,34 @@ void Binder::bind_resolve(cl::Kernel& kernel, const TileLaunch& launch) const {
     const Output output = launch.step.output;
     const cl::Buffer* const sources[] = {&b.radiance, &b.ts, &b.normals, &b.ids};
     const int components = output == Output::radiance || output == Output::normal ? 3 : 1;
-    set_arguments(kernel, *sources[static_cast<size_t>(output)], components, launch.tile, shape_of_planes(launch.tile),
-                  plan_.items(Kernel::resolve, launch.tile), plane(launch, 0), plane(launch, 1), plane(launch, 2));
+    Arguments(kernel).add(*sources[static_cast<size_t>(output)], components, launch.tile, shape_of_planes(launch.tile),
+                          plan_.items(Kernel::resolve, launch.tile), plane(launch, 0), plane(launch, 1),
+                          plane(launch, 2));
 }
 
-std::variant<float, double> Binder::base_doubt() const {
-    if (computes_in_double(plan_.accuracy)) return static_cast<double>(scene_.base_doubt);
-    return scene_.base_doubt;
+const LightBuffers& Binder::light(const TileLaunch& launch) const {
+    return scene_.lights[static_cast<size_t>(launch.step.light)];
+}
+
+Pass Binder::pass(const TileLaunch& launch) const {
+    return {launch.tile,          plan_.items(launch.step.kernel, launch.tile),
+            launch.first_block,   launch.spheres->levels,
+            launch.spheres->last, launch.first_chunk ? 1 : 0,
+            plan_.group_depth,    scene_.base_doubt};
+}
+
+Either<ShadingOf> Binder::shading(const TileLaunch& launch) const {
+    const AlbedoBuffer of_rays{launch.buffers.albedos, 0, 0};
+    const AlbedoBuffer& albedos = plan_.albedos_of_rays ? of_rays : scene_.albedos;
+    const auto with = [&](const auto& phi) -> Either<ShadingOf> {
+        return ShadingOf<std::decay_t<decltype(phi.x)>>{phi,
+                                                        albedos.first,
+                                                        albedos.stride,
+                                                        launch.step.first ? 1 : 0,
+                                                        launch.step.resolves ? 1 : 0,
+                                                        shape_of_planes(launch.tile)};
+    };
+    return std::visit(with, light(launch).phi);
 }
 
 Planes Binder::shape_of_planes(const Tile& tile) const {
@@ -100,7 +120,7 @@ Planes Binder::shape_of_planes(const Tile& tile) const {
 const cl::Buffer& Binder::plane(const TileLaunch& launch, size_t c) const {
     if (!plan_.write_in_place) return launch.buffers.planes[c];
     const std::vector<cl::Buffer>& all = planes(launch.step.output);
-    return all.empty() ? launch.buffers.ids : all[std::min(c, all.size() - 1)];
+    return all[std::min(c, all.size() - 1)];
 }
 
 }  // namespace gnomon

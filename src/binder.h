@@ -7,7 +7,6 @@
 
 #include "buffers.h"
 #include "film.h"
-#include "launcher.h"
 #include "plan.h"
 #include "undecided.h"
 
@@ -39,11 +38,13 @@ class Binder {
     const std::vector<cl::Buffer>& planes(Output output) const { return planes_[static_cast<size_t>(output)]; }
 
   private:
-    void bind_light(cl::Kernel& kernel, const TileLaunch& launch, int items) const;
+    void bind_shade_light(cl::Kernel& kernel, const TileLaunch& launch) const;
     void bind_resolve(cl::Kernel& kernel, const TileLaunch& launch) const;
-    std::variant<float, double> base_doubt() const;
+    const LightBuffers& light(const TileLaunch& launch) const;
+    Pass pass(const TileLaunch& launch) const;
+    Either<ShadingOf> shading(const TileLaunch& launch) const;
     Planes shape_of_planes(const Tile& tile) const;
-    /// Plane c of a step's output; some buffer where the step has none, for kernels must be given one.
+    /// Plane c of a step's output, or its last.
     const cl::Buffer& plane(const TileLaunch& launch, size_t c) const;
 
     const Plan& plan_;

@@ -57,10 +57,9 @@ TileBuffers allocate_tile(const DeviceMemory& memory, const Plan& plan) {
     tile.ts = reals(rays);
     tile.normals = reals(3 * rays);
     tile.ids = memory.room<int>(rays);
-    // Kernel arguments that a scene does not use still have to name a buffer.
-    tile.arrival = reals(plan.uses(Kernel::intersect_shadow) ? rays : 1);
-    tile.radiance = reals(plan.uses(Kernel::shade_light) ? 3 * rays : 1);
-    tile.albedos = memory.room<float>(plan.albedos_of_rays ? 3 * rays : 1);
+    if (plan.uses(Kernel::intersect_shadow)) tile.arrival = reals(rays);
+    if (plan.uses(Kernel::shade_light)) tile.radiance = reals(3 * rays);
+    if (plan.albedos_of_rays) tile.albedos = memory.room<float>(3 * rays);
     if (!plan.write_in_place)
         for (cl::Buffer& plane : tile.planes) plane = memory.room<float>(rays);
     return tile;

@@ -5,31 +5,14 @@
 #include <algorithm>
 #include <optional>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include "arguments.h"
 #include "launches.h"
 #include "opencl.h"
 #include "program.h"
 
 namespace gnomon {
-
-template <class Argument>
-void set_argument(cl::Kernel& kernel, cl_uint index, const Argument& argument) {
-    kernel.setArg(index, argument);
-}
-/// Of several types the one that it holds.
-template <class... Types>
-void set_argument(cl::Kernel& kernel, cl_uint index, const std::variant<Types...>& argument) {
-    std::visit([&](const auto& held) { kernel.setArg(index, held); }, argument);
-}
-
-/// Sets all arguments of a kernel in their order.
-template <class... Arguments>
-void set_arguments(cl::Kernel& kernel, const Arguments&... arguments) {
-    cl_uint index = 0;
-    (set_argument(kernel, index++, arguments), ...);
-}
 
 class Launcher {
   public:
@@ -49,11 +32,11 @@ class Launcher {
 
     /// One launch, or more if that would take too long, over at least `items` work-items in groups of `local`, or of
     /// fewer if the kernel allows no more.
-    template <class... Arguments>
-    void launch(const Variant& variant, int items, int local, const Arguments&... arguments) {
+    template <class... Values>
+    void launch(const Variant& variant, int items, int local, const Values&... values) {
         const BuiltKernel& built = programs_.get(variant);
         cl::Kernel kernel = built.kernel;
-        set_arguments(kernel, arguments...);
+        Arguments(kernel).add(values...);
         launch(variant, kernel, items, std::min(local, built.group_limit));
     }
     /// What follows, up to the next branch, waits only for what was launched before the first one.

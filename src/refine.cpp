@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "arguments.h"
 #include "certify.h"
 
 namespace gnomon {
@@ -79,7 +80,7 @@ void Refinement::trace(const cl::Buffer& places, int first, int count) {
         const BuiltKernel& built = programs_.get(plan_.variants[static_cast<size_t>(step.variant)]);
         cl::Kernel kernel = built.kernel;
         if (step.kernel == Kernel::refine_rays) {
-            set_arguments(kernel, scene_.eye, places, first, count, blocks * BLOCK_RAYS, tile_.dirs);
+            Arguments(kernel).add(scene_.eye, places, first, count, blocks * BLOCK_RAYS, tile_.dirs);
             launch(step, built, kernel, blocks * BLOCK_RAYS);
             continue;
         }

@@ -24,7 +24,6 @@ class UndecidedRays {
     const cl::Buffer& words() const { return words_; }
     /// Two reals each for Plan::doubt_rays (cl/certify.h).
     const cl::Buffer& doubts() const { return doubts_; }
-    static int first_word(int first_block) { return first_block * words_of_block; }
 
   private:
     static constexpr int words_of_block = BLOCK_RAYS / 32;

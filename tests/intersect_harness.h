@@ -37,9 +37,9 @@ HitsOf<real> closest(Bench& bench, Width w, const Camera& camera, const PencilSp
                      .get({Kernel::intersect_closest, w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_READ"}),
                            accuracy_of<real>})
                      .kernel,
-                 items, dirs.buffer(), EyePencilOf<real>{}, Tile{}, eye_basis(camera), in.clusters.buffer(),
-                 in.nodes.buffer(), spheres.levels, spheres.last, 1, items, ts.buffer(), normals.buffer(), ids.buffer(),
-                 first_block, counts.buffer(), real(0), ts.buffer(), ids.buffer(), 0);
+                 items, dirs.buffer(), in.clusters.buffer(), in.nodes.buffer(), ts.buffer(), normals.buffer(),
+                 ids.buffer(), counts.buffer(), EyePencilOf<real>{}, eye_basis(camera),
+                 Pass{{}, items, first_block, spheres.levels, spheres.last, 1, 0, 0});
     HitsOf<real> hits{ts.read(), normals.read(), ids.read(), counts.read()};
     dirs.check_unchanged();
     in.check_unchanged();
@@ -74,10 +74,9 @@ inline Hits closest_of_pixels(Bench& bench, Width w, const Scene& scene, const T
     const GuardedBuffer<int> counts(bench, std::vector<int>(static_cast<size_t>(tile.blocks)));
     const Variant variant{Kernel::intersect_closest,
                           w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_GENERATED"})};
-    bench.launch(bench.programs.get(variant).kernel, items, dirs.buffer(), eye_pencil(scene.camera, scene.image), tile,
-                 eye_basis(scene.camera), in.clusters.buffer(), in.nodes.buffer(), spheres.levels, spheres.last, 1,
-                 items, ts.buffer(), normals.buffer(), ids.buffer(), 0, counts.buffer(), 0.0f, ts.buffer(),
-                 ids.buffer(), 0);
+    bench.launch(bench.programs.get(variant).kernel, items, dirs.buffer(), in.clusters.buffer(), in.nodes.buffer(),
+                 ts.buffer(), normals.buffer(), ids.buffer(), counts.buffer(), eye_pencil(scene.camera, scene.image),
+                 eye_basis(scene.camera), Pass{tile, items, 0, spheres.levels, spheres.last, 1, 0, 0});
     in.check_unchanged();
     if (dirs_out) *dirs_out = dirs.read();
     return {ts.read(), normals.read(), ids.read(), counts.read()};

@@ -54,6 +54,10 @@ class Bench {
         (kernel.setArg(index++, arguments), ...);
         // A kernel of cl/ has one more, the first work-item.
         if (index < kernel.getInfo<CL_KERNEL_NUM_ARGS>()) kernel.setArg(index, 0);
+        launch_bound(kernel, items);
+    }
+    /// All arguments are set.
+    void launch_bound(const cl::Kernel& kernel, int items) {
         queue.enqueueNDRangeKernel(kernel, cl::NullRange, static_cast<size_t>((items / local + 1) * local),
                                    static_cast<size_t>(local));
     }

@@ -1,6 +1,7 @@
 // intersect_shadow and shade_light alone, over hits that a test makes.
 #pragma once
 
+#include "arguments.h"
 #include "guarded_spheres.h"
 #include "kernel_harness.h"
 #include "reference.h"
@@ -100,8 +101,8 @@ inline std::vector<float> arrival(Bench& bench, Width w, const Receivers& hits, 
     std::visit(
         [&](const auto& pencil) {
             bench.launch(kernel, items, in.dirs.buffer(), in.ts.buffer(), in.normals.buffer(), in.ids.buffer(),
-                         in.spheres.clusters.buffer(), in.spheres.nodes.buffer(), light.spheres.levels,
-                         light.spheres.last, 1, light.group_depth, pencil, items, result.buffer());
+                         in.spheres.clusters.buffer(), in.spheres.nodes.buffer(), result.buffer(), pencil,
+                         Pass{{}, items, 0, light.spheres.levels, light.spheres.last, 1, light.group_depth, 0});
         },
         light.pencil);
     in.check_unchanged();
@@ -121,7 +122,7 @@ inline std::vector<float> arrival(Bench& bench, const Scene& scene, const Receiv
 }
 
 /// What shade_light is given besides.
-struct Shading {
+struct ShadeSetup {
     std::string shadows = "SHADOWS_OFF";
     std::vector<float> arrival;   ///< for SHADOWS_READ
     std::vector<float> radiance;  ///< before the launch
@@ -130,10 +131,9 @@ struct Shading {
     ImageSize image{0, 0};  ///< which the launch is to resolve the radiance to, if it has a width
 };
 
-/// Launches shade_light over whole blocks of hits and returns the radiance; checks guards and inputs. What the kind of
-/// shadows does not need is a buffer of one value.
+/// Launches shade_light over whole blocks of hits and returns the radiance; checks guards and inputs.
 inline std::vector<float> shade(Bench& bench, Width w, const Scene& scene, const Receivers& hits,
-                                const LightSetup& light, const Shading& shading,
+                                const LightSetup& light, const ShadeSetup& shading,
                                 std::vector<float>* resolved = nullptr) {
     INFO(w << ", " << shading.shadows);
     std::vector<Float3> rho;
@@ -144,23 +144,23 @@ inline std::vector<float> shade(Bench& bench, Width w, const Scene& scene, const
     const GuardedBuffer<float> radiance(bench, shading.radiance);
     const Tile& tile = shading.tile;
     const int pairs = resolved ? (tile.blocks_x + 1) / 2 * (tile.blocks / tile.blocks_x) : 0;
-    const int items = resolved ? pairs : static_cast<int>(hits.size()) / w.rays(), first = shading.first ? 1 : 0;
+    const int items = resolved ? pairs : static_cast<int>(hits.size()) / w.rays();
     const size_t pixels = std::max<size_t>(1, static_cast<size_t>(shading.image.width * shading.image.height));
     const GuardedBuffer<float> planes[] = {{bench, pixels}, {bench, pixels}, {bench, pixels}};
     const Planes shape{shading.image.width, shading.image.height, 0, 0, shading.image.width};
     const Variant variant{Kernel::shade_light,
                           w.defines({light.define, "SHADOWS=" + shading.shadows, "WALK=" + light.spheres.walk,
                                      "ALBEDOS_OF_RAYS=0", resolved ? "RESOLVES=1" : "RESOLVES=0", "STREAM=1"})};
-    std::visit(
-        [&](const auto& pencil) {
-            bench.launch(bench.programs.get(variant).kernel, items, in.dirs.buffer(), in.ts.buffer(),
-                         in.normals.buffer(), in.ids.buffer(), arriving.buffer(), in.spheres.clusters.buffer(),
-                         in.spheres.nodes.buffer(), light.spheres.levels, light.spheres.last, light.group_depth,
-                         albedos.buffer(), 0, 3, pencil, light.phi, first, items, radiance.buffer(),
-                         shading.image.width > 0 ? 1 : 0, shading.tile, shape, planes[0].buffer(), planes[1].buffer(),
-                         planes[2].buffer(), 0.0f, in.ts.buffer(), in.ids.buffer(), 0);
-        },
-        light.pencil);
+    const Pass pass{tile, items, 0, light.spheres.levels, light.spheres.last, 1, light.group_depth, 0};
+    const gnomon::Shading its{light.phi, 0, 3, shading.first ? 1 : 0, shading.image.width > 0 ? 1 : 0, shape};
+    cl::Kernel kernel = bench.programs.get(variant).kernel;
+    Arguments(kernel)
+        .add(in.dirs.buffer(), in.ts.buffer(), in.normals.buffer(), in.ids.buffer())
+        .add_if(shading.shadows == "SHADOWS_READ", arriving.buffer())
+        .add(in.spheres.clusters.buffer(), in.spheres.nodes.buffer(), albedos.buffer(), radiance.buffer())
+        .add_if(resolved != nullptr, planes[0].buffer(), planes[1].buffer(), planes[2].buffer())
+        .add(light.pencil, pass, its, cl_int(0));
+    bench.launch_bound(kernel, items);
     in.check_unchanged();
     albedos.check_unchanged();
     arriving.check_unchanged();

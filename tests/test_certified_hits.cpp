@@ -37,10 +37,10 @@ Certified<real> closest_certified(Bench& bench, const Scene& scene, const std::v
         Kernel::intersect_closest,
         w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "CERTIFIED=1", "DOUBT_RAYS=1", "RAYS=RAYS_READ"}),
         accuracy_of<real>};
-    bench.launch(bench.programs.get(variant).kernel, items, dirs.buffer(), EyePencilOf<real>{}, Tile{},
-                 eye_basis(scene.camera), in.clusters.buffer(), in.nodes.buffer(), spheres.levels, spheres.last, 1,
-                 items, ts.buffer(), normals.buffer(), ids.buffer(), 0, counts.buffer(),
-                 static_cast<real>(base_doubt(scene, made.survey, made.frame)), doubts.buffer(), undecided.buffer(), 0);
+    bench.launch(bench.programs.get(variant).kernel, items, dirs.buffer(), in.clusters.buffer(), in.nodes.buffer(),
+                 ts.buffer(), normals.buffer(), ids.buffer(), counts.buffer(), doubts.buffer(), undecided.buffer(),
+                 EyePencilOf<real>{}, eye_basis(scene.camera),
+                 Pass{{}, items, 0, spheres.levels, spheres.last, 1, 0, base_doubt(scene, made.survey, made.frame)});
     in.check_unchanged();
     return {ts.read(), doubts.read(), ids.read(), undecided.read()};
 }

@@ -40,7 +40,7 @@ double channel(const Float3& v, size_t c) { return channel(Rgb{to_double(v).x, t
 /// How many values are not: what was there, where nothing arrives (0 if this is the first light); else that (or 0) +
 /// albedo phi arrival, with the float albedo and phi that the kernel has, to one rounding of the product and one of the
 /// sum.
-int wrong_sums(const Scene& scene, const Receivers& hits, const Float3& phi, const Shading& shading,
+int wrong_sums(const Scene& scene, const Receivers& hits, const Float3& phi, const ShadeSetup& shading,
                const std::vector<float>& arrived, const std::vector<float>& after) {
     int wrong = 0;
     for (size_t i = 0; i < hits.size(); ++i)
@@ -78,8 +78,8 @@ TEST_CASE("shade_light: shadows read are those traced, bit for bit, and lights s
                        const Light& light, Random& random) {
         const std::vector<float> arrived = arrival(bench, scene, hits, light);
         for (const bool first : {true, false}) {
-            Shading read{"SHADOWS_READ", arrived, radiance_before(random, hits.size()), first};
-            Shading traced{"SHADOWS_TRACED", {}, read.radiance, first};
+            ShadeSetup read{"SHADOWS_READ", arrived, radiance_before(random, hits.size()), first};
+            ShadeSetup traced{"SHADOWS_TRACED", {}, read.radiance, first};
             const std::vector<float> one = shade(bench, widths[0], scene, hits, setup, read);
             CHECK(wrong_sums(scene, hits, setup.phi, read, arrived, one) == 0);
             for (const Width& w : widths) {
@@ -105,7 +105,7 @@ TEST_CASE("shade_light: without shadows all that faces the light is lit", "[shad
         for (int& id : nothing_between.ids) id = id < 0 ? -1 : 0;
         const std::vector<float> arrived = arrival(bench, empty, nothing_between, light);
         for (const bool first : {true, false}) {
-            const Shading off{"SHADOWS_OFF", {}, radiance_before(random, hits.size()), first};
+            const ShadeSetup off{"SHADOWS_OFF", {}, radiance_before(random, hits.size()), first};
             const std::vector<float> one = shade(bench, widths[0], scene, hits, setup, off);
             CHECK(wrong_sums(scene, hits, setup.phi, off, arrived, one) == 0);
             for (const Width& w : widths) {
@@ -133,7 +133,7 @@ TEST_CASE("shade_light: the last light's launch resolves what it leaves", "[shad
                                           {{8, 16, 6, 12}, {55, 32}},
                                           {{0, 0, 1, 12}, {8, 96}}}) {
             INFO(image.width << " x " << image.height << ", " << tile.blocks_x << " blocks in a row");
-            Shading kept{"SHADOWS_TRACED", {}, radiance_before(random, hits.size()), false};
+            ShadeSetup kept{"SHADOWS_TRACED", {}, radiance_before(random, hits.size()), false};
             const std::vector<float> blocks = shade(bench, widths[0], scene, hits, setup, kept);
             const auto pixels = static_cast<size_t>(image.width * image.height);
             std::vector<float> expected = sentinels<float>(3 * pixels);
@@ -149,7 +149,7 @@ TEST_CASE("shade_light: the last light's launch resolves what it leaves", "[shad
                 std::vector<float> resolved;
                 CHECK(same_bits(shade(bench, w, scene, hits, setup, kept, &resolved), blocks));
                 CHECK(same_bits(resolved, expected));
-                Shading not_last = kept;
+                ShadeSetup not_last = kept;
                 not_last.image = {0, 0};
                 resolved.clear();
                 shade(bench, w, scene, hits, setup, not_last, &resolved);
@@ -175,7 +175,7 @@ TEST_CASE("shade_light: the colour is that of each hit's own id", "[shade_light]
         one.spheres = {scene.spheres[0]};
         LightSetup setup = set_up(bench, one, lights[0]);
         setup.phi = {2, 4, 8};
-        const Shading shading{"SHADOWS_READ", arrived, std::vector<float>(3 * hits.size(), 1), false};
+        const ShadeSetup shading{"SHADOWS_READ", arrived, std::vector<float>(3 * hits.size(), 1), false};
         for (const Width& w : widths) {
             INFO(w);
             const std::vector<float> after = shade(bench, w, scene, hits, setup, shading);

@@ -89,8 +89,9 @@ std::vector<Roots> RootsBench::measure(const RootCase& of, const std::vector<For
     std::vector<Roots> results;
     for (const Formula& formula : formulas) {
         kernels.push_back(kernel(formula));
-        set_arguments(kernels.back(), buffers.dirs, buffers.spheres, static_cast<int>(rays / plan_.rays_per_item()),
-                      static_cast<int>(timed / plan_.rays_per_item()), buffers.ts, buffers.normals, 0);
+        Arguments(kernels.back())
+            .add(buffers.dirs, buffers.spheres, static_cast<int>(rays / plan_.rays_per_item()),
+                 static_cast<int>(timed / plan_.rays_per_item()), buffers.ts, buffers.normals, 0);
         nanoseconds_per_ray(kernels.back(), timed);  // the first launch is never the quickest
         results.push_back(read(buffers, of.dirs.size()));
     }
