@@ -23,17 +23,21 @@ INLINE int looks_small(PencilSphere s) { return s.r2 < s.power; }
 // whether a line meets it: see sphere.h.
 INLINE int is_apart(PencilSphere s) { return s.r2 < 4 * s.power; }
 
-// LANES neighbouring values.
-INLINE floatw lanes_at(global const float* values, int first) { return *(global const floatw*)(values + first); }
-INLINE floatw floats_at(global const real* values, int first) {
-    return floats_of(*(global const realw*)(values + first));
+// BOUND_LANES neighbouring values.
+INLINE floatb bounds_at(global const float* values, int first) { return *(global const floatb*)(values + first); }
+INLINE floatb floats_at(global const real* values, int first) {
+#if REAL_IS_DOUBLE
+    return convert_floatb(*(global const realb*)(values + first));
+#else
+    return bounds_at(values, first);
+#endif
 }
-INLINE intw ids_at(global const int* values, int first) { return *(global const intw*)(values + first); }
+INLINE intb ids_at(global const int* values, int first) { return *(global const intb*)(values + first); }
 
 // The places that hold a sphere, as bits.
 INLINE int filled(global const PencilCluster* c) {
     int places = 0;
-    for (int first = 0; first < CLUSTER; first += LANES) places |= lane_bits(ids_at(c->id, first) >= 0) << first;
+    for (int first = 0; first < CLUSTER; first += BOUND_LANES) places |= bound_bits(ids_at(c->id, first) >= 0) << first;
     return places;
 }
 

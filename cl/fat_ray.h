@@ -62,14 +62,14 @@ INLINE int candidates(FatRay fat, global const PencilCluster* c) {
     return filled(c);
 #endif
     int kept = 0;
-    for (int first = 0; first < CLUSTER; first += LANES) {
-        const float3w f = {floats_at(c->x, first), floats_at(c->y, first), floats_at(c->z, first)};
-        const floatw reach = lanes_at(c->reach, first);
-        const floatw a = dot_f(fat.plane[0], f), b = dot_f(fat.plane[1], f);
-        const floatw d = dot_f(fat.plane[2], f), e = dot_f(fat.plane[3], f);
-        const intw misses =
-            (a > reach) | (b > reach) | (d > reach) | (e > reach) | (dot_f(fat.axis, f) - reach > fat.distance);
-        kept |= lane_bits(!misses) << first;
+    for (int first = 0; first < CLUSTER; first += BOUND_LANES) {
+        const float3b f = {floats_at(c->x, first), floats_at(c->y, first), floats_at(c->z, first)};
+        const floatb reach = bounds_at(c->reach, first);
+        const floatb a = dot_b(fat.plane[0], f), b = dot_b(fat.plane[1], f);
+        const floatb d = dot_b(fat.plane[2], f), e = dot_b(fat.plane[3], f);
+        const intb misses =
+            (a > reach) | (b > reach) | (d > reach) | (e > reach) | (dot_b(fat.axis, f) - reach > fat.distance);
+        kept |= bound_bits(!misses) << first;
     }
     return kept;
 }
@@ -77,11 +77,11 @@ INLINE int candidates(FatRay fat, global const PencilCluster* c) {
 // The same for the children of a node.
 INLINE int node_candidates(FatRay fat, global const Node* n) {
     int kept = 0;
-    for (int first = 0; first < CLUSTER; first += LANES) {
-        const intw misses = (lanes_at(n->x0, first) > fat.x1) | (lanes_at(n->x1, first) < fat.x0) |
-                            (lanes_at(n->y0, first) > fat.y1) | (lanes_at(n->y1, first) < fat.y0) |
-                            (lanes_at(n->depth, first) > fat.distance) | (ids_at(n->child, first) < 0);
-        kept |= lane_bits(!misses) << first;
+    for (int first = 0; first < CLUSTER; first += BOUND_LANES) {
+        const intb misses = (bounds_at(n->x0, first) > fat.x1) | (bounds_at(n->x1, first) < fat.x0) |
+                            (bounds_at(n->y0, first) > fat.y1) | (bounds_at(n->y1, first) < fat.y0) |
+                            (bounds_at(n->depth, first) > fat.distance) | (ids_at(n->child, first) < 0);
+        kept |= bound_bits(!misses) << first;
     }
     return kept;
 }

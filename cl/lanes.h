@@ -102,8 +102,15 @@ REDUCE_BY_HALVES(most, float, MORE)
 // A mask of bounds as bits, and whether a mask of reals has any lane. Where clang compiles for the CPU itself, one
 // instruction (from a mask register) or a horizontal builtin takes the place of the halves; by way of SPIR-V neither
 // has a translation.
+#if CLANG_TO_MACHINE && defined(__AVX512DQ__)
+INLINE int bits_of_16(int16 mask) { return (ushort)__builtin_ia32_cvtd2mask512(mask); }
+#else
+INLINE int bits_of_16(int16 mask) {
+    return or_of_16(mask & (int16)(1) << (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
+}
+#endif
 #if CLANG_TO_MACHINE && LANES == 16 && defined(__AVX512DQ__)
-INLINE int lane_bits(intw mask) { return (ushort)__builtin_ia32_cvtd2mask512(mask); }
+INLINE int lane_bits(intw mask) { return bits_of_16(mask); }
 INLINE int any_lane(wholew mask) { return lane_bits(ints_of(mask)); }
 #else
 INLINE int lane_bits(intw mask) { return REDUCE(or, mask & ((intw)(1) << LANE_INDEX)); }
@@ -172,6 +179,31 @@ INLINE float3w floats_of_3(vec3w a) { return (float3w){floats_of(a.x), floats_of
 INLINE floatw dot_f(Float3 a, float3w b) {
     return fma(wide_float(a.x), b.x, fma(wide_float(a.y), b.y, wide_float(a.z) * b.z));
 }
+
+// Bounds are held against a work-item so many at a time, whatever its LANES: where clang compiles for the CPU itself
+// all 16 of a cluster or a node.
+#if CLANG_TO_MACHINE
+#define BOUND_LANES 16
+typedef float16 floatb;
+typedef int16 intb;
+#define bound_bits bits_of_16
+#define convert_floatb convert_float16
+typedef CONCAT(REAL, 16) realb;
+#else
+#define BOUND_LANES LANES
+typedef floatw floatb;
+typedef intw intb;
+#define bound_bits lane_bits
+#define convert_floatb convert_floatw
+typedef realw realb;
+#endif
+typedef struct {
+    floatb x, y, z;
+} float3b;
+INLINE floatb dot_b(Float3 a, float3b b) {
+    return fma((floatb)(a.x), b.x, fma((floatb)(a.y), b.y, (floatb)(a.z) * b.z));
+}
+
 INLINE Float3 float3_of(Real3 a) { return (Float3){(float)a.x, (float)a.y, (float)a.z}; }
 
 #endif

@@ -89,12 +89,12 @@ INLINE int shadow_candidates(FatShadowRay fat, global const PencilCluster* c) {
     return filled(c);
 #endif
     int kept = 0;
-    for (int first = 0; first < CLUSTER; first += LANES) {
-        const floatw x = floats_at(c->x, first), y = floats_at(c->y, first), z = floats_at(c->z, first);
-        const floatw reach = lanes_at(c->reach, first);
-        const intw misses = (x - reach > fat.x1) | (x + reach < fat.x0) | (y - reach > fat.y1) | (y + reach < fat.y0) |
+    for (int first = 0; first < CLUSTER; first += BOUND_LANES) {
+        const floatb x = floats_at(c->x, first), y = floats_at(c->y, first), z = floats_at(c->z, first);
+        const floatb reach = bounds_at(c->reach, first);
+        const intb misses = (x - reach > fat.x1) | (x + reach < fat.x0) | (y - reach > fat.y1) | (y + reach < fat.y0) |
                             (z + reach < fat.back);
-        kept |= lane_bits(!misses) << first;
+        kept |= bound_bits(!misses) << first;
     }
     return kept;
 }
@@ -105,11 +105,11 @@ INLINE int shadow_ball_candidates(FatShadowRay fat, global const PencilCluster* 
 // The same for the children of a node.
 INLINE int shadow_node_candidates(FatShadowRay fat, global const Node* n) {
     int kept = 0;
-    for (int first = 0; first < CLUSTER; first += LANES) {
-        const intw misses = (lanes_at(n->x0, first) > fat.x1) | (lanes_at(n->x1, first) < fat.x0) |
-                            (lanes_at(n->y0, first) > fat.y1) | (lanes_at(n->y1, first) < fat.y0) |
-                            (lanes_at(n->depth, first) < fat.back) | (ids_at(n->child, first) < 0);
-        kept |= lane_bits(!misses) << first;
+    for (int first = 0; first < CLUSTER; first += BOUND_LANES) {
+        const intb misses = (bounds_at(n->x0, first) > fat.x1) | (bounds_at(n->x1, first) < fat.x0) |
+                            (bounds_at(n->y0, first) > fat.y1) | (bounds_at(n->y1, first) < fat.y0) |
+                            (bounds_at(n->depth, first) < fat.back) | (ids_at(n->child, first) < 0);
+        kept |= bound_bits(!misses) << first;
     }
     return kept;
 }

@@ -141,11 +141,11 @@ INLINE int certain_shadow_candidates(FatShadowRay fat, RayDoubt doubt, global co
     const float slope = 32 * (turn + (float)(12 * ROUNDING)), farthest = fma(64 * turn, distance, distance);
     fat.distance = INFINITY;
     int kept = 0;
-    for (int first = 0; first < CLUSTER; first += LANES) {
-        const float3w f = {floats_at(c->x, first), floats_at(c->y, first), floats_at(c->z, first)};
-        const floatw begin = dot_f(fat.axis, f) - 1.125f * lanes_at(c->reach, first);
-        const intw beyond = fma(wide_float(-slope), fabs(f.x) + fabs(f.y) + fabs(f.z), begin) > farthest;
-        kept |= lane_bits(!beyond) << first;
+    for (int first = 0; first < CLUSTER; first += BOUND_LANES) {
+        const float3b f = {floats_at(c->x, first), floats_at(c->y, first), floats_at(c->z, first)};
+        const floatb begin = dot_b(fat.axis, f) - 1.125f * bounds_at(c->reach, first);
+        const intb beyond = fma((floatb)(-slope), fabs(f.x) + fabs(f.y) + fabs(f.z), begin) > farthest;
+        kept |= bound_bits(!beyond) << first;
     }
     return kept & candidates(fat, c);
 }
