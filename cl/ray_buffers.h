@@ -26,6 +26,12 @@ INLINE void store_r(realw v, global real* p, int item, int k) { *(global realw*)
 INLINE void store_i(wholew v, global int* p, int item, int k) {
     *(global intw*)(p + lane_address(item, k, 0, 1)) = ints_of(v);
 }
+// The same in memory of the work-item's own.
+INLINE void keep_3(vec3w v, private realw* p, int item, int k) {
+    p[lane_address(item, k, 0, 3) / LANES] = v.x;
+    p[lane_address(item, k, 1, 3) / LANES] = v.y;
+    p[lane_address(item, k, 2, 3) / LANES] = v.z;
+}
 INLINE void store_3(vec3w v, global real* p, int item, int k) {
     *(global realw*)(p + lane_address(item, k, 0, 3)) = v.x;
     *(global realw*)(p + lane_address(item, k, 1, 3)) = v.y;

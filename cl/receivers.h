@@ -17,6 +17,11 @@ typedef struct {
     global const int* ids;
 } Hits;
 
+// What arrives of each of the lights that a launch of shade_light adds, one after the other.
+INLINE global real* arrival_of(global real* arrivals, Pass pass, int light) {
+    return arrivals + (size_t)light * (size_t)pass.tile.blocks * BLOCK_RAYS;
+}
+
 INLINE vec3w position_of(Hits hits, int item, int k) {
     return scale_w(load_r(hits.ts, item, k), load_3(hits.dirs, item, k));
 }

@@ -9,12 +9,14 @@
 #else
 #define WORD int
 #endif
+#define FROM global
 #include "resolve.h"
 
 kernel void resolve(global const word* restrict blocks, const int components, const Tile tile, const Planes planes,
                     const int items, global int* plane0, global int* plane1, global int* plane2, const int first_item) {
     const int item = first_item + (int)get_global_id(0);
     if (item >= items) return;
-    resolve_row(blocks, components, tile, planes, pair_of(tile, item / BLOCK_SIDE), item % BLOCK_SIDE, plane0, plane1,
-                plane2);
+    const Pair pair = pair_of(tile, item / BLOCK_SIDE);
+    resolve_row(blocks + (size_t)pair.first * (size_t)components * BLOCK_RAYS, components, tile, planes, pair,
+                item % BLOCK_SIDE, plane0, plane1, plane2);
 }

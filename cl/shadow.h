@@ -8,6 +8,31 @@
 #include "certain_shadow.h"
 #include "receivers.h"
 
+// What is to be known of a work-item's hits besides, in certified pictures.
+#if CERTIFIED
+#define CERTAINTY certainty_of(light, doubts, pass.base_doubt, (Undecided){undecided, pass.first_block}, item)
+#else
+#define CERTAINTY ((Certainty){0})
+#endif
+
+// The shadow rays of all packets, and what arrives at their hits if nothing is in between. With -D CERTIFIED=1 hits
+// that may or may not face the light are left undecided.
+INLINE void face_light(Hits hits, LightPencil light, Certainty certainty, int item, ShadowRay* ray, realw* share) {
+    ulong open = 0;
+    FOR_PACKETS(k) {
+        ray[k] = shadow_ray(light, position_of(hits, item, k));
+#if CERTIFIED
+        share[k] = certainly_unshadowed(hits, light, ray[k], certainty, item, k, &open);
+#else
+        share[k] = unshadowed(hits, light, ray[k], item, k);
+#endif
+    }
+#if CERTIFIED
+    if (UNLIKELY(open))
+        leave_undecided(facing_alone(hits, light, ray, certainty, item, open), certainty.undecided, item);
+#endif
+}
+
 // Takes from the hits that the sphere occludes what they had; the result is not 0 when there were any. Most spheres
 // occlude nothing of a work-item, which is found first, in a third of the work.
 INLINE int occlude(PencilSphere s, const ShadowRay* ray, const wholew* id, realw* share) {

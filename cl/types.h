@@ -30,6 +30,9 @@
 #define SHADOWS_READ 1
 #define SHADOWS_TRACED 2
 
+// Lights that one launch of shade_light adds, at most.
+#define MOST_SHADED 4
+
 #ifdef __cplusplus
 namespace gnomon {
 #endif
@@ -138,16 +141,17 @@ typedef struct {
     int first_block;    // blocks of the tiles before this one
     int levels, last;   // of the hierarchy (hierarchy.h)
     int first_chunk;    // 1: no spheres were met before these
+    int arrival;        // of the arrivals, the one that the pass writes; -1: hits are shaded
     float group_depth;  // shadow rays whose distances from the eye differ by less than this factor are traced together
     float base_doubt;   // how far the scene's numbers may be off (certify.h)
 } Pass;
 
-// What one light's shade_light has besides.
+// What shade_light is told besides, of the lights that it adds.
 STRUCT_OF_REALS(Shading) {
-    OF_REALS(Real3) phi;
+    OF_REALS(Real3) phi[MOST_SHADED];
     int first_albedo, albedo_stride;  // in floats, from id to id
-    int first;                        // 1: this light's radiance is the first
-    int last;                         // 1: and its launch resolves it
+    int first;                        // 1: no light was added before these
+    int last;                         // 1: the launch resolves what it leaves
     Planes planes;
 };
 
@@ -180,8 +184,8 @@ ASSERT_SIZES(ParallelPencil, 36, 72);
 ASSERT_SIZES(PointPencil, 16 + 36 * MAX_FACES, 24 + 4 + 36 * MAX_FACES + 4);  // rounded up to whole doubles
 ASSERT_SIZE(Tile, 16);
 ASSERT_SIZE(Planes, 20);
-ASSERT_SIZE(Pass, 44);
-ASSERT_SIZES(Shading, 48, 64);  // rounded up to whole doubles
+ASSERT_SIZE(Pass, 48);
+ASSERT_SIZES(Shading, 12 * MOST_SHADED + 36, 24 * MOST_SHADED + 40);  // rounded up to whole doubles
 ASSERT_SIZE(RootSphere, 20);
 
 #ifdef __cplusplus

@@ -1,7 +1,6 @@
 #include "binder.h"
 
 #include <algorithm>
-#include <type_traits>
 
 #include "arguments.h"
 
@@ -51,8 +50,10 @@ void Binder::bind(cl::Kernel& kernel, const TileLaunch& launch) const {
                 .add(scene_.eye, scene_.eye_basis, pass(launch));
             break;
         case Kernel::intersect_shadow:
-            Arguments(kernel).add(b.dirs, b.ts, b.normals, b.ids, launch.spheres->clusters, launch.spheres->nodes,
-                                  b.arrival, light(launch).pencil, pass(launch));
+            Arguments(kernel)
+                .add(b.dirs, b.ts, b.normals, b.ids, launch.spheres->clusters, launch.spheres->nodes, b.arrivals)
+                .add_if(plan_.certified, undecided_.doubts(), undecided_.words())
+                .add(light(launch).pencil, pass(launch));
             break;
         case Kernel::shade_light:
             bind_shade_light(kernel, launch);
@@ -69,7 +70,7 @@ void Binder::bind_shade_light(cl::Kernel& kernel, const TileLaunch& launch) cons
     const TileBuffers& b = launch.buffers;
     Arguments arguments(kernel);
     arguments.add(b.dirs, b.ts, b.normals, b.ids)
-        .add_if(plan_.shadows == Shadows::read, b.arrival)
+        .add_if(plan_.shadows != Shadows::off, b.arrivals)
         .add(launch.spheres->clusters, launch.spheres->nodes)
         .add(plan_.albedos_of_rays ? b.albedos : scene_.albedos.values, b.radiance);
     if (!plan_.resolve_radiance) arguments.add(plane(launch, 0), plane(launch, 1), plane(launch, 2));
@@ -95,21 +96,25 @@ Pass Binder::pass(const TileLaunch& launch) const {
     return {launch.tile,          plan_.items(launch.step.kernel, launch.tile),
             launch.first_block,   launch.spheres->levels,
             launch.spheres->last, launch.first_chunk ? 1 : 0,
-            plan_.group_depth,    scene_.base_doubt};
+            launch.step.arrival,  plan_.group_depth,
+            scene_.base_doubt};
 }
 
 Either<ShadingOf> Binder::shading(const TileLaunch& launch) const {
+    const Step& step = launch.step;
     const AlbedoBuffer of_rays{launch.buffers.albedos, 0, 0};
     const AlbedoBuffer& albedos = plan_.albedos_of_rays ? of_rays : scene_.albedos;
-    const auto with = [&](const auto& phi) -> Either<ShadingOf> {
-        return ShadingOf<std::decay_t<decltype(phi.x)>>{phi,
-                                                        albedos.first,
-                                                        albedos.stride,
-                                                        launch.step.first ? 1 : 0,
-                                                        launch.step.resolves ? 1 : 0,
-                                                        shape_of_planes(launch.tile)};
-    };
-    return std::visit(with, light(launch).phi);
+    return with_real(plan_.accuracy, [&](auto real) -> Either<ShadingOf> {
+        ShadingOf<decltype(real)> shading{};
+        for (size_t i = 0; i < step.shaded.size(); ++i)
+            shading.phi[i] = std::get<Real3Of<decltype(real)>>(scene_.lights[static_cast<size_t>(step.shaded[i])].phi);
+        shading.first_albedo = albedos.first;
+        shading.albedo_stride = albedos.stride;
+        shading.first = step.first ? 1 : 0;
+        shading.last = step.resolves ? 1 : 0;
+        shading.planes = shape_of_planes(launch.tile);
+        return shading;
+    });
 }
 
 Planes Binder::shape_of_planes(const Tile& tile) const {

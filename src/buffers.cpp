@@ -57,7 +57,7 @@ TileBuffers allocate_tile(const DeviceMemory& memory, const Plan& plan) {
     tile.ts = reals(rays);
     tile.normals = reals(3 * rays);
     tile.ids = memory.room<int>(rays);
-    if (plan.uses(Kernel::intersect_shadow)) tile.arrival = reals(rays);
+    if (const int arrivals = plan.arrivals(); arrivals > 0) tile.arrivals = reals(arrivals * rays);
     if (plan.uses(Kernel::shade_light)) tile.radiance = reals(3 * rays);
     if (plan.albedos_of_rays) tile.albedos = memory.room<float>(3 * rays);
     if (!plan.write_in_place)
@@ -84,7 +84,8 @@ SceneBuffers prepare(SphereKernels& kernels, const Scene& scene, const Survey& s
 TilePool::Shape TilePool::shape_of(const Plan& plan) {
     return {static_cast<size_t>(plan.tile_sets),
             static_cast<size_t>(plan.tile_blocks),
-            plan.uses(Kernel::intersect_shadow) + size_t{2} * plan.uses(Kernel::shade_light),
+            static_cast<size_t>(plan.arrivals()),
+            size_t{plan.uses(Kernel::shade_light)},
             size_t{plan.write_in_place},
             size_t{plan.albedos_of_rays},
             static_cast<size_t>(real_bytes(plan.accuracy))};

@@ -75,17 +75,43 @@ bool shines(const Light& light) {
     return any(point ? point->power : std::get<DirectionalLight>(light).irradiance);
 }
 
+std::vector<int> shining(const Scene& scene) {
+    std::vector<int> lights;
+    for (size_t i = 0; i < scene.lights.size(); ++i)
+        if (shines(scene.lights[i])) lights.push_back(static_cast<int>(i));
+    return lights;
+}
+
+const char* define(const Light& light) {
+    return std::holds_alternative<PointLight>(light) ? "LIGHT=LIGHT_POINT" : "LIGHT=LIGHT_DIRECTIONAL";
+}
+
+/// A shadow pass for each of some lights, of which the last may be part of the launch that shades them all. What is
+/// built for that serves all lights of its kind.
+void add_batch(Chain& chain, const Scene& scene, Shadows shadows, const std::vector<int>& lights, bool first) {
+    const auto light = [&](int i) -> const Light& { return scene.lights[static_cast<size_t>(i)]; };
+    const size_t read = lights.size() - (shadows == Shadows::read ? 0 : 1);
+    const std::vector<std::string> shading{define(light(lights.back())), define(shadows),
+                                           "LIGHTS=" + std::to_string(lights.size())};
+    for (size_t i = 0; i < read; ++i) {
+        const bool alike = light(lights[i]).index() == light(lights.back()).index() && shadows == Shadows::traced;
+        Step step{alike ? Kernel::shade_light : Kernel::intersect_shadow, 0, lights[i]};
+        step.arrival = static_cast<int>(i);
+        chain.add_tracing(step, alike ? shading : std::vector<std::string>{define(light(lights[i]))});
+    }
+    Step step{Kernel::shade_light, 0, lights.back()};
+    step.shaded = lights;
+    step.first = first;
+    chain.add_tracing(step, shading);
+}
+
 void add_lights(Chain& chain, const Scene& scene, Shadows shadows) {
-    bool first = true;
-    for (size_t i = 0; i < scene.lights.size(); ++i) {
-        if (!shines(scene.lights[i])) continue;
-        const bool point = std::holds_alternative<PointLight>(scene.lights[i]);
-        const std::string kind = point ? "LIGHT=LIGHT_POINT" : "LIGHT=LIGHT_DIRECTIONAL";
-        Step step{Kernel::intersect_shadow, 0, static_cast<int>(i)};
-        if (shadows == Shadows::read) chain.add_tracing(step, {kind});
-        step.kernel = Kernel::shade_light;
-        step.first = std::exchange(first, false);
-        chain.add_tracing(step, {kind, define(shadows)});
+    const std::vector<int> all = shining(scene);
+    const size_t most = shadows == Shadows::off ? 1 : MOST_SHADED;
+    for (size_t i = 0; i < all.size(); i += most) {
+        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto count = static_cast<std::ptrdiff_t>(std::min(most, all.size() - i));
+        add_batch(chain, scene, shadows, {begin, begin + count}, i == 0);
     }
 }
 

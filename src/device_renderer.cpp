@@ -18,15 +18,18 @@ int64_t most_items(const DeviceInfo& device) { return device.is_pocl() ? 65535 :
 
 /// How often each variant's kernel was given all the hits: once a light.
 int64_t lights_of(const Plan& plan, size_t variant) {
-    return std::count_if(plan.steps.begin(), plan.steps.end(), [&](const Step& step) {
-        return static_cast<size_t>(step.variant) == variant && step.light >= 0;
-    });
+    int64_t lights = 0;
+    for (const Step& step : plan.steps)
+        if (static_cast<size_t>(step.variant) == variant && step.light >= 0)
+            lights +=
+                plan.shadows == Shadows::read ? std::max<int64_t>(static_cast<int64_t>(step.shaded.size()), 1) : 1;
+    return lights;
 }
 
-/// One launch of shade_light for each light that shines.
 int64_t shaded_lights(const Plan& plan) {
-    return std::count_if(plan.steps.begin(), plan.steps.end(),
-                         [](const Step& step) { return step.kernel == Kernel::shade_light; });
+    int64_t lights = 0;
+    for (const Step& step : plan.steps) lights += static_cast<int64_t>(step.shaded.size());
+    return lights;
 }
 
 /// Those of so many pixels, and the shadow rays of so many hits.

@@ -27,7 +27,9 @@ int64_t largest(int64_t high, Allowed allowed) {
 }
 
 /// Of all its buffers, without an albedo, and of the largest.
-int64_t bytes_per_whole_ray(const MemoryNeeds& n) { return bytes_per_ray(n.sphere.real_bytes) + n.film_bytes_per_ray; }
+int64_t bytes_per_whole_ray(const MemoryNeeds& n) {
+    return bytes_per_ray(n.sphere.real_bytes, n.arrivals) + n.film_bytes_per_ray;
+}
 int64_t bytes_per_direction(const MemoryNeeds& n) { return int64_t{3} * n.sphere.real_bytes; }
 
 std::string mebibytes(int64_t bytes) { return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB"; }

@@ -51,8 +51,8 @@ int64_t certifying_bytes(const MemoryNeeds& needs) {
     SphereFootprint doubles = needs.sphere;
     doubles.real_bytes = 8;
     constexpr int64_t bit = 1, place = 4;
-    const auto alone = [](int real) {
-        return int64_t{refinement_batch} * (bytes_per_ray(real) + 2 * real + bit + place);
+    const auto alone = [&](int real) {
+        return int64_t{refinement_batch} * (bytes_per_ray(real, needs.arrivals) + 2 * real + bit + place);
     };
     const int64_t doubts = needs.image_rays / BLOCK_RAYS * 2 * 4;
     return needs.image_rays / 8 + doubts + alone(8) + alone(4) + needs.views * doubles.view(needs.spheres);
@@ -81,6 +81,7 @@ MemoryPlan share_memory(const Plan& plan, const Scene& scene, const Survey& surv
     needs.tile_rays = int64_t{plan.tile_blocks} * BLOCK_RAYS;
     needs.tiles_under_way = plan.tile_sets;
     needs.asked_tile_rays = options.tile;
+    needs.arrivals = options.shadows ? std::min<int64_t>(static_cast<int64_t>(scene.lights.size()), MOST_SHADED) : 0;
     needs.film_bytes_per_ray = plan.write_in_place ? 0 : 3 * 4;
     needs.all_views = options.accuracy == Accuracy::certified;
     // The counts of hits, one a block and 4 bytes, and a value for each buffer that a scene does not use.
@@ -172,6 +173,12 @@ int Plan::slices(int64_t pairs) const {
 
 bool Plan::uses(Kernel kernel) const {
     return std::any_of(steps.begin(), steps.end(), [=](const Step& s) { return s.kernel == kernel; });
+}
+
+int Plan::arrivals() const {
+    int most = 0;
+    for (const Step& s : steps) most = std::max(most, s.arrival + 1);
+    return most;
 }
 
 Plan make_plan(const Scene& scene, const Survey& survey, const RenderOptions& options, const DeviceLimits& limits) {

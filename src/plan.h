@@ -76,8 +76,10 @@ struct Step {
     Kernel kernel;
     int variant;                       ///< index into Plan::variants
     int light = -1;                    ///< index into Scene::lights, for the lights' kernels
-    bool first = false;                ///< shade_light: the first light sets the radiance, the others add
-    bool resolves = false;             ///< shade_light: the last light's launch resolves the radiance too
+    int arrival = -1;                  ///< which of the arrivals a shadow pass writes, if any
+    std::vector<int> shaded = {};      ///< shade_light: the lights that it adds, the last of them `light`
+    bool first = false;                ///< shade_light: the first launch sets the radiance, the others add
+    bool resolves = false;             ///< shade_light: the last launch resolves the radiance too
     Output output = Output::radiance;  ///< resolve: what it resolves
 };
 
@@ -113,6 +115,7 @@ struct Plan {
     std::string walk() const;                          ///< how rays meet the spheres: cl/types.h
     bool flat() const;                ///< so few spheres that the host puts them in clusters and in view: no nodes
     bool uses(Kernel kernel) const;   ///< some step launches it
+    int arrivals() const;             ///< of so many lights at once the shares that arrive are kept
     int slices(int64_t pairs) const;  ///< a sort's, of so many
 };
 

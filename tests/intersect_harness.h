@@ -39,7 +39,7 @@ HitsOf<real> closest(Bench& bench, Width w, const Camera& camera, const PencilSp
                      .kernel,
                  items, dirs.buffer(), in.clusters.buffer(), in.nodes.buffer(), ts.buffer(), normals.buffer(),
                  ids.buffer(), counts.buffer(), EyePencilOf<real>{}, eye_basis(camera),
-                 Pass{{}, items, first_block, spheres.levels, spheres.last, 1, 0, 0});
+                 Pass{{}, items, first_block, spheres.levels, spheres.last, 1, 0, 0, 0});
     HitsOf<real> hits{ts.read(), normals.read(), ids.read(), counts.read()};
     dirs.check_unchanged();
     in.check_unchanged();
@@ -76,7 +76,7 @@ inline Hits closest_of_pixels(Bench& bench, Width w, const Scene& scene, const T
                           w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_GENERATED"})};
     bench.launch(bench.programs.get(variant).kernel, items, dirs.buffer(), in.clusters.buffer(), in.nodes.buffer(),
                  ts.buffer(), normals.buffer(), ids.buffer(), counts.buffer(), eye_pencil(scene.camera, scene.image),
-                 eye_basis(scene.camera), Pass{tile, items, 0, spheres.levels, spheres.last, 1, 0, 0});
+                 eye_basis(scene.camera), Pass{tile, items, 0, spheres.levels, spheres.last, 1, 0, 0, 0});
     in.check_unchanged();
     if (dirs_out) *dirs_out = dirs.read();
     return {ts.read(), normals.read(), ids.read(), counts.read()};

@@ -102,7 +102,7 @@ inline std::vector<float> arrival(Bench& bench, Width w, const Receivers& hits, 
         [&](const auto& pencil) {
             bench.launch(kernel, items, in.dirs.buffer(), in.ts.buffer(), in.normals.buffer(), in.ids.buffer(),
                          in.spheres.clusters.buffer(), in.spheres.nodes.buffer(), result.buffer(), pencil,
-                         Pass{{}, items, 0, light.spheres.levels, light.spheres.last, 1, light.group_depth, 0});
+                         Pass{{}, items, 0, light.spheres.levels, light.spheres.last, 1, 0, light.group_depth, 0});
         },
         light.pencil);
     in.check_unchanged();
@@ -124,46 +124,70 @@ inline std::vector<float> arrival(Bench& bench, const Scene& scene, const Receiv
 /// What shade_light is given besides.
 struct ShadeSetup {
     std::string shadows = "SHADOWS_OFF";
-    std::vector<float> arrival;   ///< for SHADOWS_READ
+    std::vector<float> arrivals;  ///< of the lights before this one and, for SHADOWS_READ, of this
     std::vector<float> radiance;  ///< before the launch
     bool first = false;
-    Tile tile{};            ///< of the hits, if planes follow
-    ImageSize image{0, 0};  ///< which the launch is to resolve the radiance to, if it has a width
+    Tile tile{};                        ///< of the hits, if planes follow
+    ImageSize image{0, 0};              ///< which the launch is to resolve the radiance to, if it has a width
+    std::vector<Float3> phis_before{};  ///< of lights that are added before this one
 };
 
-/// Launches shade_light over whole blocks of hits and returns the radiance; checks guards and inputs.
+inline gnomon::Shading shading_of(const ShadeSetup& setup, const LightSetup& light) {
+    gnomon::Shading shading{};
+    std::copy(setup.phis_before.begin(), setup.phis_before.end(), shading.phi);
+    shading.phi[setup.phis_before.size()] = light.phi;
+    shading.albedo_stride = 3;
+    shading.first = setup.first ? 1 : 0;
+    shading.last = setup.image.width > 0 ? 1 : 0;
+    shading.planes = {setup.image.width, setup.image.height, 0, 0, setup.image.width};
+    return shading;
+}
+
+/// Launches shade_light over whole blocks of hits and returns the radiance; checks guards and inputs. With `arrived`
+/// the pass ends with what arrives, in place of the first of the arrivals.
 inline std::vector<float> shade(Bench& bench, Width w, const Scene& scene, const Receivers& hits,
                                 const LightSetup& light, const ShadeSetup& shading,
-                                std::vector<float>* resolved = nullptr) {
+                                std::vector<float>* resolved = nullptr, std::vector<float>* arrived = nullptr) {
     INFO(w << ", " << shading.shadows);
     std::vector<Float3> rho;
     for (const Sphere& s : scene.spheres) rho.push_back(to_float({s.albedo.r, s.albedo.g, s.albedo.b}));
     const HitBuffers in(bench, hits, light);
     const GuardedBuffer<Float3> albedos(bench, rho);
-    const GuardedBuffer<float> arriving(bench, shading.arrival.empty() ? sentinels<float>(1) : shading.arrival);
+    const GuardedBuffer<float> arriving(bench, shading.arrivals.empty() ? sentinels<float>(1) : shading.arrivals);
     const GuardedBuffer<float> radiance(bench, shading.radiance);
     const Tile& tile = shading.tile;
     const int pairs = resolved ? (tile.blocks_x + 1) / 2 * (tile.blocks / tile.blocks_x) : 0;
     const int items = resolved ? pairs : static_cast<int>(hits.size()) / w.rays();
     const size_t pixels = std::max<size_t>(1, static_cast<size_t>(shading.image.width * shading.image.height));
     const GuardedBuffer<float> planes[] = {{bench, pixels}, {bench, pixels}, {bench, pixels}};
-    const Planes shape{shading.image.width, shading.image.height, 0, 0, shading.image.width};
-    const Variant variant{Kernel::shade_light,
-                          w.defines({light.define, "SHADOWS=" + shading.shadows, "WALK=" + light.spheres.walk,
-                                     "ALBEDOS_OF_RAYS=0", resolved ? "RESOLVES=1" : "RESOLVES=0", "STREAM=1"})};
-    const Pass pass{tile, items, 0, light.spheres.levels, light.spheres.last, 1, light.group_depth, 0};
-    const gnomon::Shading its{light.phi, 0, 3, shading.first ? 1 : 0, shading.image.width > 0 ? 1 : 0, shape};
+    const auto blocks = static_cast<int>(hits.size() / BLOCK_RAYS);
+    const Variant variant{Kernel::shade_light, w.defines({light.define, "SHADOWS=" + shading.shadows,
+                                                          "LIGHTS=" + std::to_string(shading.phis_before.size() + 1),
+                                                          "WALK=" + light.spheres.walk, "ALBEDOS_OF_RAYS=0",
+                                                          resolved ? "RESOLVES=1" : "RESOLVES=0", "STREAM=1"})};
+    const Pass pass{tile.blocks > 0 ? tile : Tile{0, 0, blocks, blocks},
+                    items,
+                    0,
+                    light.spheres.levels,
+                    light.spheres.last,
+                    1,
+                    arrived ? 0 : -1,
+                    light.group_depth,
+                    0};
     cl::Kernel kernel = bench.programs.get(variant).kernel;
     Arguments(kernel)
         .add(in.dirs.buffer(), in.ts.buffer(), in.normals.buffer(), in.ids.buffer())
-        .add_if(shading.shadows == "SHADOWS_READ", arriving.buffer())
+        .add_if(shading.shadows != "SHADOWS_OFF", arriving.buffer())
         .add(in.spheres.clusters.buffer(), in.spheres.nodes.buffer(), albedos.buffer(), radiance.buffer())
         .add_if(resolved != nullptr, planes[0].buffer(), planes[1].buffer(), planes[2].buffer())
-        .add(light.pencil, pass, its, cl_int(0));
+        .add(light.pencil, pass, shading_of(shading, light), cl_int(0));
     bench.launch_bound(kernel, items);
     in.check_unchanged();
     albedos.check_unchanged();
-    arriving.check_unchanged();
+    if (arrived)
+        *arrived = arriving.read();
+    else
+        arriving.check_unchanged();
     for (const GuardedBuffer<float>& plane : planes) {
         const std::vector<float> values = plane.read();
         if (resolved) resolved->insert(resolved->end(), values.begin(), values.end());

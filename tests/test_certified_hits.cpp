@@ -40,7 +40,7 @@ Certified<real> closest_certified(Bench& bench, const Scene& scene, const std::v
     bench.launch(bench.programs.get(variant).kernel, items, dirs.buffer(), in.clusters.buffer(), in.nodes.buffer(),
                  ts.buffer(), normals.buffer(), ids.buffer(), counts.buffer(), doubts.buffer(), undecided.buffer(),
                  EyePencilOf<real>{}, eye_basis(scene.camera),
-                 Pass{{}, items, 0, spheres.levels, spheres.last, 1, 0, base_doubt(scene, made.survey, made.frame)});
+                 Pass{{}, items, 0, spheres.levels, spheres.last, 1, 0, 0, base_doubt(scene, made.survey, made.frame)});
     in.check_unchanged();
     return {ts.read(), doubts.read(), ids.read(), undecided.read()};
 }

@@ -26,7 +26,7 @@ int64_t peak(const MemoryNeeds& needs, const MemoryPlan& plan) {
     s.columns = 4;
     s.has_ids = true;
     const int64_t n = plan.chunk_spheres, beside = plan.resident ? s.clusters(needs.spheres) : 0;
-    return plan.tile_rays * (bytes_per_ray(s.real_bytes) + bytes_per_albedo) + beside +
+    return plan.tile_rays * (bytes_per_ray(s.real_bytes, needs.arrivals) + bytes_per_albedo) + beside +
            std::max(s.building(n), s.clusters(n) + s.view(n));
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("memory: one view at a time where that takes less", "[memory]") {
         const MemoryPlan plan = plan_memory(needs, limits);
         CHECK((plan.by_view && !plan.cut));
         CHECK(plan.tile_rays == needs.image_rays);
-        const int64_t least = needs.spheres * (28 + 20) + needs.image_rays * 48;
+        const int64_t least = needs.spheres * (28 + 20) + needs.image_rays * 44;
         CHECK(plan.peak_bytes >= least);
         CHECK(plan.peak_bytes < least + needs.spheres * 2 + MiB);
     }

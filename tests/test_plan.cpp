@@ -56,6 +56,7 @@ std::vector<std::string> steps_of(const Plan& plan) {
     for (const Step& step : plan.steps) {
         std::string text = to_string(step.kernel);
         if (step.light >= 0) text += " " + std::to_string(step.light);
+        if (step.arrival >= 0) text += " arrives";
         if (step.first) text += " sets";
         const char* const outputs[] = {" radiance", " distance", " normal", " id"};
         if (step.resolves) text += " resolves";
@@ -112,11 +113,12 @@ TEST_CASE("a tile's launches follow each other: eye, outputs, light after light,
     using Steps = std::vector<std::string>;
     // A CPU has no more launches than passes: rays are generated, shadows traced and radiance resolved on the way.
     CHECK(steps_of(plan_of(scene)) == Steps{"intersect_closest", "resolve distance", "resolve normal", "resolve id",
-                                            "shade_light 0 sets", "shade_light 1", "shade_light 2 resolves"});
+                                            "shade_light 0 arrives", "intersect_shadow 1 arrives",
+                                            "shade_light 2 sets resolves"});
     CHECK(steps_of(plan_of(scene, all_outputs(), gpu())) ==
           Steps{"generate_rays", "intersect_closest", "resolve distance", "resolve normal", "resolve id",
-                "intersect_shadow 0", "shade_light 0 sets", "intersect_shadow 1", "shade_light 1", "intersect_shadow 2",
-                "shade_light 2", "resolve radiance"});
+                "intersect_shadow 0 arrives", "intersect_shadow 1 arrives", "intersect_shadow 2 arrives",
+                "shade_light 2 sets", "resolve radiance"});
     // Where the film is not the device's, resolving is a launch of its own.
     DeviceLimits cpu;
     cpu.shares_memory = false;
@@ -154,9 +156,9 @@ TEST_CASE("only the variants that a scene needs are built, each once", "[plan]")
     CHECK_FALSE(mentions(suns, "LIGHT_POINT"));
     CHECK(variants_of(lamps).size() == 3);
     CHECK_FALSE(mentions(lamps, "LIGHT_DIRECTIONAL"));
-    CHECK(variants_of(both).size() == 4);
+    CHECK(variants_of(both).size() == 4);  // that of the last kind serves both lights of it
     const Plan split = plan_of(scene_of(8, 8, {sun, lamp, sun, lamp}), all_outputs(), gpu());
-    CHECK(variants_of(split).size() == 7);
+    CHECK(variants_of(split).size() == 6);
     CHECK(mentions(split, "SHADOWS_READ"));
     CHECK_FALSE(mentions(split, "SHADOWS_TRACED"));
     RenderOptions open;

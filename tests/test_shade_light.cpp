@@ -96,6 +96,49 @@ TEST_CASE("shade_light: shadows read are those traced, bit for bit, and lights s
     });
 }
 
+TEST_CASE("shade_light: a pass that ends with what arrives is intersect_shadow's, and shades nothing",
+          "[shade_light]") {
+    with_each_light([](Bench& bench, const Scene& scene, const Receivers& hits, const LightSetup& setup,
+                       const Light& light, Random& random) {
+        const ShadeSetup traced{"SHADOWS_TRACED", std::vector<float>(hits.size()),
+                                radiance_before(random, hits.size())};
+        const std::vector<float> expected = arrival(bench, scene, hits, light);
+        for (const Width& w : widths) {
+            INFO(w);
+            std::vector<float> arrived;
+            CHECK(same_bits(shade(bench, w, scene, hits, setup, traced, nullptr, &arrived), traced.radiance));
+            CHECK(same_bits(arrived, expected));
+        }
+    });
+}
+
+TEST_CASE("shade_light: lights added at once are those added one after the other, bit for bit", "[shade_light]") {
+    with_each_light([](Bench& bench, const Scene& scene, const Receivers& hits, const LightSetup& setup,
+                       const Light& light, Random& random) {
+        std::vector<float> arrivals;
+        ShadeSetup at_once{"SHADOWS_TRACED", {}, radiance_before(random, hits.size())};
+        std::vector<float> one_by_one = at_once.radiance;
+        const auto add = [&](const Light& next) {
+            const LightSetup its = set_up(bench, scene, next);
+            const std::vector<float> arrived = arrival(bench, scene, hits, next);
+            one_by_one = shade(bench, widths[0], scene, hits, its, {"SHADOWS_READ", arrived, one_by_one});
+            arrivals.insert(arrivals.end(), arrived.begin(), arrived.end());
+            return its.phi;
+        };
+        for (const Light& before : {lights[1], lights[0], lights[1]}) at_once.phis_before.push_back(add(before));
+        at_once.arrivals = arrivals;
+        add(light);
+        ShadeSetup read = at_once;
+        read.shadows = "SHADOWS_READ";
+        read.arrivals = arrivals;
+        for (const Width& w : widths) {
+            INFO(w);
+            CHECK(same_bits(shade(bench, w, scene, hits, setup, at_once), one_by_one));
+            CHECK(same_bits(shade(bench, w, scene, hits, setup, read), one_by_one));
+        }
+    });
+}
+
 TEST_CASE("shade_light: without shadows all that faces the light is lit", "[shade_light]") {
     with_each_light([](Bench& bench, const Scene& scene, const Receivers& hits, const LightSetup& setup,
                        const Light& light, Random& random) {
@@ -147,12 +190,12 @@ TEST_CASE("shade_light: the last light's launch resolves what it leaves", "[shad
             kept.image = image;
             for (const Width& w : widths) {
                 std::vector<float> resolved;
-                CHECK(same_bits(shade(bench, w, scene, hits, setup, kept, &resolved), blocks));
+                CHECK(same_bits(shade(bench, w, scene, hits, setup, kept, &resolved), kept.radiance));
                 CHECK(same_bits(resolved, expected));
                 ShadeSetup not_last = kept;
                 not_last.image = {0, 0};
                 resolved.clear();
-                shade(bench, w, scene, hits, setup, not_last, &resolved);
+                CHECK(same_bits(shade(bench, w, scene, hits, setup, not_last, &resolved), blocks));
                 CHECK(same_bits(resolved, sentinels<float>(resolved.size())));
             }
         }

@@ -112,7 +112,7 @@ TEST_CASE("tiling: memory is planned for the tiles of all workers", "[plan][tili
     four.sub_devices = 4;
     whole.sub_devices = 0;
     const auto tiles = [](const Plan& plan) {
-        return int64_t{plan.tile_sets} * plan.tile_blocks * BLOCK_RAYS * bytes_per_ray(4);
+        return int64_t{plan.tile_sets} * plan.tile_blocks * BLOCK_RAYS * bytes_per_ray(4, 1);  // under one light
     };
     for (const DeviceLimits& limits : {four, whole, DeviceLimits{}}) {
         const Plan plan = plan_of(1920, 1080, limits);
