@@ -5,11 +5,13 @@
 
 namespace gnomon {
 
-Launcher::Launcher(const cl::CommandQueue& queue, Programs& programs, Pace& pace, int units, const Stop* stop)
+Launcher::Launcher(const cl::CommandQueue& queue, Programs& programs, Pace& pace, int units, const Stop* stop,
+                   int parts)
     : queue_(queue),
       programs_(programs),
       pace_(pace),
       units_(units),
+      parts_(parts),
       launches_(pace, stop, [this](int tag, int64_t, double seconds) {
           Cost& cost = costs_[static_cast<size_t>(tag)];
           cost.launches += 1;
@@ -24,7 +26,7 @@ void Launcher::launch(const Variant& variant, const cl::Kernel& kernel, int item
         std::find_if(costs_.begin(), costs_.end(), [&](const Cost& cost) { return cost.variant == variant; });
     const auto tag = static_cast<int>(known - costs_.begin());
     if (known == costs_.end()) costs_.push_back({variant});
-    launches_.launch(queue_, {kernel, &pace_.of(variant.name()), tag, items, local, units_}, last_);
+    launches_.launch(queue_, {kernel, &pace_.of(variant.name()), tag, items, local, units_, parts_}, last_);
 }
 
 void Launcher::fill_with_zeros(const cl::Buffer& buffer) {

@@ -23,8 +23,10 @@ class Launcher {
         double seconds = 0, longest = 0;
     };
 
-    /// `pace` is that of the queue's device, which has so many compute `units`.
-    Launcher(const cl::CommandQueue& queue, Programs& programs, Pace& pace, int units, const Stop* stop = nullptr);
+    /// `pace` is that of the queue's device, which has so many compute `units`. What is launched is cut into so many
+    /// `parts` at least.
+    Launcher(const cl::CommandQueue& queue, Programs& programs, Pace& pace, int units, const Stop* stop = nullptr,
+             int parts = 1);
     /// Waits for all: what the launches read may not outlive this.
     ~Launcher();
     Launcher(const Launcher&) = delete;
@@ -57,7 +59,7 @@ class Launcher {
     cl::CommandQueue queue_;
     Programs& programs_;
     Pace& pace_;
-    int units_;
+    int units_, parts_;
     Launches launches_;
     std::vector<cl::Event> last_;                 // of the branch that is being launched
     std::optional<std::vector<cl::Event>> root_;  // where branches start, if there are any

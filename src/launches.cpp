@@ -9,10 +9,16 @@ namespace {
 // As a share of the bound, the seconds of work that the host is ahead of the device: the more, the later a change of
 // pace is noticed. A host that wakes up takes a core from a device that is the CPU.
 constexpr double ahead = 0.5;
+// Work-items of which a launch is not cut just to have parts.
+constexpr int64_t few_items = 64;
 // So that memory for events stays bounded.
 constexpr size_t most_under_way = 1024;
 
 }  // namespace
+
+int64_t Work::most() const {
+    return parts == 1 ? items : (std::max(items / parts, few_items) + least() - 1) / least() * least();
+}
 
 double seconds_of(const cl::Event& event) {
     return 1e-9 * static_cast<double>(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
@@ -62,13 +68,13 @@ int64_t Launches::launch_part(const cl::CommandQueue& queue, const Work& work, i
 
 int64_t Launches::part(const Work& work, int64_t left) const {
     const int64_t most = std::max(pace_.most() / work.least(), int64_t{1}) * work.least();
-    return work.pace->part(std::min(left, most), work.least(), pace_.bound());
+    return work.pace->part(std::min({left, most, work.most()}), work.least(), pace_.bound());
 }
 
 int64_t Launches::part_in_time(const cl::CommandQueue& queue, const Work& work, int64_t left) {
     for (;;) {
         const int64_t items = part(work, left);
-        if (!must_wait(work, std::min(left, pace_.most()), items)) return items;
+        if (!must_wait(work, std::min({left, pace_.most(), work.most()}), items)) return items;
         queue.flush();
         await_oldest();
     }

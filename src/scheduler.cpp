@@ -10,6 +10,10 @@ namespace gnomon {
 
 namespace {
 
+/// Beside most chunks rays pass, and through few of them most of what they meet: of 10^8 spheres one launch over all
+/// rays takes 0.2 s where the last took 0.01, one over a part of them 0.02.
+constexpr int parts_beside_chunks = 64;
+
 int blocks_of(const Plan& plan) {
     int blocks = 0;
     for (const Tile& tile : plan.tiles) blocks += tile.blocks;
@@ -200,7 +204,13 @@ Work Scheduler::work_of(const Slot& slot, const Step& step) const {
     const auto variant = static_cast<size_t>(step.variant);
     const bool last = &step == &plan_.steps.back();
     const int tag = step.variant + (last ? static_cast<int>(kernels_.size()) : 0);
-    return {kernels_[variant], paces_[variant], tag, plan_.items(step.kernel, tile_of(slot)), plan_.local_size, units_};
+    return {kernels_[variant],
+            paces_[variant],
+            tag,
+            plan_.items(step.kernel, tile_of(slot)),
+            plan_.local_size,
+            units_,
+            plan_.memory.cut ? parts_beside_chunks : 1};
 }
 
 void Scheduler::end_step(const Step& step, Slot& slot) {
