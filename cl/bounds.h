@@ -41,8 +41,7 @@ static inline void unite(Rectangles r, Children* to, int i, int child) {
 
 // Each lane's place when lanes are sorted by depth. Floats in the order of their bits, so that any bits make an order.
 static inline int16 ranks(const float* depth) {
-    const int16 lane = (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-    const int16 bits = as_int16(vload16(0, depth)), order = bits < 0 ? bits ^ 0x7fffffff : bits;
+    const int16 lane = INDEX_OF_16, bits = as_int16(vload16(0, depth)), order = bits < 0 ? bits ^ 0x7fffffff : bits;
     int key[CLUSTER];
     vstore16(order, 0, key);
     int16 rank = 0;

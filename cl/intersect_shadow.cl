@@ -24,10 +24,14 @@ kernel void intersect_shadow(global const real* restrict dirs, global const real
     const Hits hits = {dirs, ts, normals, ids};
     const Certainty certainty = CERTAINTY;
     global real* arrival = arrival_of(arrivals, pass, pass.arrival);
-    face_light(hits, light, certainty, item, ray, share);
 #if CHUNKS
-    if (!pass.first_chunk) FOR_PACKETS(k) share[k] = load_r(arrival, item, k);
+    if (!pass.first_chunk) FOR_PACKETS(k) {
+            ray[k] = shadow_ray(light, position_of(hits, item, k));
+            share[k] = load_r(arrival, item, k);
+        }
+    else
 #endif
+        face_light(hits, light, certainty, item, ray, share);
     trace_shadows(hits, hierarchy, light, ray, pass.group_depth, item, share, certainty);
     FOR_PACKETS(k) store_r(share[k], arrival, item, k);
 }

@@ -24,6 +24,8 @@
 #define CONCAT_(a, b) a##b
 #define CONCAT(a, b) CONCAT_(a, b)
 
+#define INDEX_OF_16 ((int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
+
 #if LANES == 1
 typedef float floatw;
 typedef int intw;
@@ -52,7 +54,7 @@ typedef CONCAT(WHOLE, LANES) wholew;
 #elif LANES == 8
 #define LANE_INDEX ((int8)(0, 1, 2, 3, 4, 5, 6, 7))
 #elif LANES == 16
-#define LANE_INDEX ((int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
+#define LANE_INDEX INDEX_OF_16
 #else
 #error "LANES must be 1, 4, 8 or 16"
 #endif
@@ -105,9 +107,7 @@ REDUCE_BY_HALVES(most, float, MORE)
 #if CLANG_TO_MACHINE && defined(__AVX512DQ__)
 INLINE int bits_of_16(int16 mask) { return (ushort)__builtin_ia32_cvtd2mask512(mask); }
 #else
-INLINE int bits_of_16(int16 mask) {
-    return or_of_16(mask & (int16)(1) << (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
-}
+INLINE int bits_of_16(int16 mask) { return or_of_16(mask & (int16)(1) << INDEX_OF_16); }
 #endif
 #if CLANG_TO_MACHINE && LANES == 16 && defined(__AVX512DQ__)
 INLINE int lane_bits(intw mask) { return bits_of_16(mask); }

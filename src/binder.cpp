@@ -72,7 +72,7 @@ void Binder::bind_shade_light(cl::Kernel& kernel, const TileLaunch& launch) cons
     arguments.add(b.dirs, b.ts, b.normals, b.ids)
         .add_if(plan_.shadows != Shadows::off, b.arrivals)
         .add(launch.spheres->clusters, launch.spheres->nodes)
-        .add(plan_.albedos_of_rays ? b.albedos : scene_.albedos.values, b.radiance);
+        .add(albedos(launch).values, b.radiance);
     if (!plan_.resolve_radiance) arguments.add(plane(launch, 0), plane(launch, 1), plane(launch, 2));
     arguments.add_if(plan_.certified, undecided_.doubts(), undecided_.words())
         .add(light(launch).pencil, pass(launch), shading(launch));
@@ -92,6 +92,10 @@ const LightBuffers& Binder::light(const TileLaunch& launch) const {
     return scene_.lights[static_cast<size_t>(launch.step.light)];
 }
 
+AlbedoBuffer Binder::albedos(const TileLaunch& launch) const {
+    return plan_.albedos_of_rays ? AlbedoBuffer{launch.buffers.albedos, 0, 0} : scene_.albedos;
+}
+
 Pass Binder::pass(const TileLaunch& launch) const {
     return {launch.tile,          plan_.items(launch.step.kernel, launch.tile),
             launch.first_block,   launch.spheres->levels,
@@ -102,14 +106,13 @@ Pass Binder::pass(const TileLaunch& launch) const {
 
 Either<ShadingOf> Binder::shading(const TileLaunch& launch) const {
     const Step& step = launch.step;
-    const AlbedoBuffer of_rays{launch.buffers.albedos, 0, 0};
-    const AlbedoBuffer& albedos = plan_.albedos_of_rays ? of_rays : scene_.albedos;
+    const AlbedoBuffer its = albedos(launch);
     return with_real(plan_.accuracy, [&](auto real) -> Either<ShadingOf> {
         ShadingOf<decltype(real)> shading{};
         for (size_t i = 0; i < step.shaded.size(); ++i)
             shading.phi[i] = std::get<Real3Of<decltype(real)>>(scene_.lights[static_cast<size_t>(step.shaded[i])].phi);
-        shading.first_albedo = albedos.first;
-        shading.albedo_stride = albedos.stride;
+        shading.first_albedo = its.first;
+        shading.albedo_stride = its.stride;
         shading.first = step.first ? 1 : 0;
         shading.last = step.resolves ? 1 : 0;
         shading.planes = shape_of_planes(launch.tile);

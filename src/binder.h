@@ -41,6 +41,7 @@ class Binder {
     void bind_shade_light(cl::Kernel& kernel, const TileLaunch& launch) const;
     void bind_resolve(cl::Kernel& kernel, const TileLaunch& launch) const;
     const LightBuffers& light(const TileLaunch& launch) const;
+    AlbedoBuffer albedos(const TileLaunch& launch) const;
     Pass pass(const TileLaunch& launch) const;
     Either<ShadingOf> shading(const TileLaunch& launch) const;
     Planes shape_of_planes(const Tile& tile) const;

@@ -30,6 +30,10 @@ struct SceneBuffers {
     SphereBuffers spheres;  ///< as the eye sees them
     AlbedoBuffer albedos;
     std::vector<LightBuffers> lights;
+    /// The spheres as a light's rays see them, or for light -1 as the eye does.
+    const SphereBuffers& seen_by(int light) const {
+        return light < 0 ? spheres : lights[static_cast<size_t>(light)].spheres;
+    }
     float base_doubt = 0;  ///< how far the spheres, as they are on the device, may be off (cl/certify.h)
 };
 

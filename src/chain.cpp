@@ -1,7 +1,6 @@
 #include "chain.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace gnomon {
 

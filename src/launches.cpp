@@ -9,7 +9,8 @@ namespace {
 // As a share of the bound, the seconds of work that the host is ahead of the device: the more, the later a change of
 // pace is noticed. A host that wakes up takes a core from a device that is the CPU.
 constexpr double ahead = 0.5;
-// Work-items of which a launch is not cut just to have parts.
+// Work-items of which a launch is not cut just to have parts: blocks of rays, or slices of a sort, that take 10 us or
+// more, as a launch does.
 constexpr int64_t few_items = 64;
 // So that memory for events stays bounded.
 constexpr size_t most_under_way = 1024;

@@ -84,9 +84,7 @@ void Refinement::trace(const cl::Buffer& places, int first, int count) {
             launch(step, built, kernel, blocks * BLOCK_RAYS);
             continue;
         }
-        const SphereBuffers& spheres =
-            step.light < 0 ? scene_.spheres : scene_.lights[static_cast<size_t>(step.light)].spheres;
-        binder_.bind(kernel, {step, tile, tile_, 0, &spheres});
+        binder_.bind(kernel, {step, tile, tile_, 0, &scene_.seen_by(step.light)});
         launch(step, built, kernel, plan_.items(step.kernel, tile));
     }
 }

@@ -67,19 +67,20 @@ Scheduler::Scheduler(const Workers& workers, const DeviceMemory& memory, const P
     measured_.longest.resize(plan.variants.size());
     measured_.shares.resize(workers_.size());
     workers_of_tiles_.resize(plan.tiles.size());
+    int blocks = 0;
     for (const Tile& tile : plan.tiles) {
-        first_blocks_.push_back(blocks_);
-        blocks_ += tile.blocks;
+        first_blocks_.push_back(blocks);
+        blocks += tile.blocks;
         last_items_ += plan.items(plan.steps.back().kernel, tile);
     }
-    hit_counts_ = memory.room<int>(blocks_);
+    hit_counts_ = memory.room<int>(blocks);
     binder_.emplace(workers.context(), plan, scene, film, hit_counts_, undecided_);
 }
 
 Measured Scheduler::run(TileQueue& tiles, const std::vector<cl::Event>& after,
                         const std::function<void(double)>& progress) {
     tiles_ = &tiles;
-    std::vector<int> hits(static_cast<size_t>(blocks_));
+    std::vector<int> hits(static_cast<size_t>(blocks_of(plan_)));
     // Commands under way write into the film and the counts: never leave before they have ended.
     struct Finish {
         Scheduler& scheduler;
@@ -89,8 +90,7 @@ Measured Scheduler::run(TileQueue& tiles, const std::vector<cl::Event>& after,
         }
     } finish{*this};
     std::vector<cl::Event> ready = after;
-    queue_.enqueueFillBuffer(hit_counts_, 0, 0, static_cast<size_t>(blocks_) * sizeof(int), nullptr,
-                             &ready.emplace_back());
+    queue_.enqueueFillBuffer(hit_counts_, 0, 0, hits.size() * sizeof(int), nullptr, &ready.emplace_back());
     if (plan_.certified) undecided_.clear(queue_, ready);
     queue_.flush();  // or other queues might wait for it forever (OpenCL 1.2, 5.13)
     for (Slot& slot : slots_) slot.busy = ready;
@@ -190,7 +190,7 @@ void Scheduler::launch_step(Slot& slot, const Step& step) {
 }
 
 TileLaunch Scheduler::launch_of(const Slot& slot, const Step& step) const {
-    return {step, tile_of(slot), slot.buffers, first_blocks_[slot.tile], &resident_spheres(step)};
+    return {step, tile_of(slot), slot.buffers, first_blocks_[slot.tile], &scene_.seen_by(step.light)};
 }
 
 /// What a step launches for the slot's tile; all of the tile's arguments are set.
@@ -217,10 +217,6 @@ void Scheduler::end_step(const Step& step, Slot& slot) {
     if (step.kernel == Kernel::resolve && !plan_.write_in_place) read_planes(step.output, tile_of(slot), slot);
     ++slot.step;
     slot.item = 0;
-}
-
-const SphereBuffers& Scheduler::resident_spheres(const Step& step) const {
-    return step.light < 0 ? scene_.spheres : scene_.lights[static_cast<size_t>(step.light)].spheres;
 }
 
 /// One launch for each chunk; of these only one is on the device at a time.

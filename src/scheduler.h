@@ -75,7 +75,6 @@ class Scheduler {
     void end_step(const Step& step, Slot& slot);
     void launch_chunks(const Step& step, Slot& slot);
     void look_up_albedos(const Tile& tile, Slot& slot);
-    const SphereBuffers& resident_spheres(const Step& step) const;
     void read_planes(Output output, const Tile& tile, Slot& slot);
     void count_hits(const std::vector<int>& of_blocks);
     void ended(int tag, int64_t items, double seconds);
@@ -98,7 +97,6 @@ class Scheduler {
     UndecidedRays undecided_;
     std::vector<int> first_blocks_;         // of each tile, among all tiles'
     std::vector<size_t> workers_of_tiles_;  // who took each
-    int blocks_ = 0;                        // of all tiles
     // Work-items of the last step: of all tiles, of those that were taken, and those that have ended.
     int64_t last_items_ = 0, taken_items_ = 0, done_items_ = 0;
     std::deque<int64_t> due_;  // done_items_ when each tile under way has ended, in order

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "arguments.h"
 #include "catch.h"
 #include "opencl.h"
 #include "program.h"
@@ -48,12 +49,11 @@ class Bench {
           local(of.type == DeviceType::cpu ? 16 : 64) {}
 
     /// Sets all arguments and launches. There is always a work-item more than `items`, which must do nothing.
-    template <class... Arguments>
-    void launch(cl::Kernel kernel, int items, const Arguments&... arguments) {
-        cl_uint index = 0;
-        (kernel.setArg(index++, arguments), ...);
+    template <class... Values>
+    void launch(cl::Kernel kernel, int items, const Values&... values) {
+        Arguments(kernel).add(values...);
         // A kernel of cl/ has one more, the first work-item.
-        if (index < kernel.getInfo<CL_KERNEL_NUM_ARGS>()) kernel.setArg(index, 0);
+        if (sizeof...(values) < kernel.getInfo<CL_KERNEL_NUM_ARGS>()) kernel.setArg(sizeof...(values), 0);
         launch_bound(kernel, items);
     }
     /// All arguments are set.
