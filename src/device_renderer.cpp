@@ -155,14 +155,16 @@ void DeviceRenderer::make_room(const Plan& plan) {
 }
 
 std::vector<cl::Kernel> DeviceRenderer::build(const Job& job, RenderStats& stats) {
+    const std::vector<Variant>& variants = job.plan.variants;
+    std::vector<bool> known;
+    for (const Variant& variant : variants) known.push_back(programs_.has(variant));
+    programs_.build(variants, job.options.stop);
     std::vector<cl::Kernel> kernels;
-    for (const Variant& variant : job.plan.variants) {
-        check(job.options.stop);
-        const bool known = programs_.has(variant);
-        const BuiltKernel& built = programs_.get(variant);
+    for (size_t i = 0; i < variants.size(); ++i) {
+        const BuiltKernel& built = programs_.get(variants[i]);
         kernels.push_back(built.kernel);
-        stats.kernels.push_back({info_.number(), to_string(variant.kernel), built.options,
-                                 known ? 0 : built.build_seconds, built.from_cache, 0, 0, 0, 0});
+        stats.kernels.push_back({info_.number(), to_string(variants[i].kernel), built.options,
+                                 known[i] ? 0 : built.build_seconds, built.from_cache, 0, 0, 0, 0});
     }
     return kernels;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "clock.h"
 #include "error.h"
@@ -10,7 +11,12 @@
 namespace gnomon {
 
 Programs::Programs(const cl::Context& context, const std::vector<cl::Device>& devices, const DeviceInfo& info)
-    : context_(context), devices_(devices), info_(info), cache_(binary_cache_for(info)) {
+    : context_(context),
+      devices_(devices),
+      info_(info),
+      cache_(binary_cache_for(info)),
+      // PoCL compiles one kernel at a time, whoever asks: threads would but wait, and not stop between two kernels.
+      policy_(info.is_pocl() ? std::launch::deferred : std::launch::async) {
     // PoCL on a CPU: clang's builtins are at hand.
     common_options_ = info.is_pocl() ? " -D CLANG_TO_MACHINE=1" : " -D CLANG_TO_MACHINE=0";
     // cl/builtins.h takes the place of the header that this driver would read first, and of no other driver's.
@@ -42,57 +48,81 @@ std::string Programs::cache_key(const std::string& source, const std::string& op
 }
 
 // A binary that the driver refuses is one that it would not make today: it is built, and kept, anew.
-std::optional<cl::Program> Programs::from_cache(const std::string& cache_key, const std::string& options) {
-    const auto kept = cache_ ? cache_->find(cache_key) : std::nullopt;
-    if (!kept) return std::nullopt;
+void Programs::load(Compiled& made) const {
+    const auto kept = cache_ ? cache_->find(made.cache_key) : std::nullopt;
+    if (!kept) return;
     const std::vector<unsigned char> binary(kept->begin(), kept->end());
     const cl::Program::Binaries binaries(devices_.size(), binary);  // the device's parts run its code
     try {
         cl::Program program(context_, devices_, binaries);
-        program.build(devices_, options.c_str());
-        return program;
+        program.build(devices_, made.built.options.c_str());
+        made.program = program;
+        made.built.from_cache = true;
     } catch (const cl::Error& error) {
-        warnings_.push_back("the driver refuses a kernel that it built before (" + describe(error) +
-                            "): " + cache_->file_of(cache_key).string() + "; it is built again");
-        return std::nullopt;
+        made.warning = "the driver refuses a kernel that it built before (" + describe(error) +
+                       "): " + cache_->file_of(made.cache_key).string() + "; it is built again";
     }
 }
 
-cl::Program Programs::from_source(const std::string& name, const std::string& source,
-                                  const std::string& options) const {
-    cl::Program program(context_, source);
+void Programs::compile(Compiled& made, const std::string& source) const {
+    made.program = cl::Program(context_, source);
     try {
-        program.build(devices_, options.c_str());
+        made.program.build(devices_, made.built.options.c_str());
     } catch (const cl::Error& error) {
         throw Error(Blame::run,
-                    "cannot build kernel " + name + " (" + options + "): " + describe(error) + "\n" +
-                        program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(devices_.front()),
+                    "cannot build kernel " + made.name + " (" + made.built.options + "): " + describe(error) + "\n" +
+                        made.program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(devices_.front()),
                     info_.name);
     }
-    return program;
 }
 
-void Programs::keep(const std::string& cache_key, const cl::Program& program) {
-    const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
+Programs::Compiled Programs::load_or_compile(const Variant& variant) const {
+    const double start = now();
+    Compiled made;
+    made.name = to_string(variant.kernel);
+    made.built.options = options(variant);
+    const std::string source = kernel_source(made.name);
+    if (cache_) made.cache_key = cache_key(source, made.built.options);
+    load(made);
+    if (!made.built.from_cache) compile(made, source);
+    made.built.kernel = cl::Kernel(made.program, made.name.c_str());
+    made.built.group_limit = group_limit_of(made.built.kernel);
+    made.built.build_seconds = now() - start;
+    return made;
+}
+
+void Programs::keep(const Compiled& made) {
+    const auto binaries = made.program.getInfo<CL_PROGRAM_BINARIES>();
     try {
-        cache_->keep(cache_key, {binaries.front().begin(), binaries.front().end()});
+        cache_->keep(made.cache_key, {binaries.front().begin(), binaries.front().end()});
     } catch (const Error& error) {
         warnings_.push_back(std::string("built kernels are not kept: ") + error.what());
         cache_.reset();
     }
 }
 
+const BuiltKernel& Programs::add(const std::string& key, const Compiled& made) {
+    if (!made.warning.empty()) warnings_.push_back(made.warning);
+    if (!made.built.from_cache && cache_) keep(made);
+    return built_[key] = made.built;
+}
+
 const BuiltKernel& Programs::get(const Variant& variant) {
     const auto known = built_.find(key(variant));
-    if (known != built_.end()) return known->second;
-    const double start = now();
-    const std::string name = to_string(variant.kernel), options = this->options(variant), source = kernel_source(name);
-    const std::string cache_key = cache_ ? this->cache_key(source, options) : "";
-    const std::optional<cl::Program> kept = from_cache(cache_key, options);
-    const cl::Program program = kept ? *kept : from_source(name, source, options);
-    if (!kept && cache_) keep(cache_key, program);
-    const cl::Kernel kernel(program, name.c_str());
-    return built_[key(variant)] = {kernel, options, now() - start, kept.has_value(), group_limit_of(kernel)};
+    return known != built_.end() ? known->second : add(key(variant), load_or_compile(variant));
+}
+
+void Programs::build(const std::vector<Variant>& variants, const Stop* stop) {
+    std::map<std::string, std::future<Compiled>> started;
+    for (const Variant& variant : variants)
+        if (!has(variant))
+            started[key(variant)] = std::async(policy_, [this, variant] { return load_or_compile(variant); });
+    std::map<std::string, Compiled> done;
+    for (auto& [key, compiled] : started) {
+        check(stop);
+        done[key] = compiled.get();
+    }
+    for (const auto& [key, compiled] : done) add(key, compiled);
 }
 
 }  // namespace gnomon

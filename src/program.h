@@ -1,6 +1,7 @@
 // Kernel variants, built on first use and kept.
 #pragma once
 
+#include <future>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include "binary_cache.h"
 #include "opencl.h"
 #include "plan.h"
+#include "stop.h"
 
 namespace gnomon {
 
@@ -29,6 +31,10 @@ class Programs {
     /// what is built where the driver knows that they are alike.
     Programs(const cl::Context& context, const std::vector<cl::Device>& devices, const DeviceInfo& info);
 
+    /// Builds those variants that were not built before, all at once where the driver's compiler allows it. Throws as
+    /// get() does, and Stopped.
+    void build(const std::vector<Variant>& variants, const Stop* stop);
+
     /// Builds the variant unless it was built before. Throws Error(Blame::run) with the compiler's log.
     const BuiltKernel& get(const Variant& variant);
 
@@ -42,14 +48,24 @@ class Programs {
     int group_limit_of(const cl::Kernel& kernel) const;
     std::string key(const Variant& variant) const;  // kernel and options, as the compiler sees them
     std::string cache_key(const std::string& source, const std::string& options) const;
-    std::optional<cl::Program> from_cache(const std::string& cache_key, const std::string& options);
-    cl::Program from_source(const std::string& name, const std::string& source, const std::string& options) const;
-    void keep(const std::string& cache_key, const cl::Program& program);
+    struct Compiled {
+        std::string name, cache_key, warning;
+        cl::Program program;
+        BuiltKernel built;
+    };
+    // Any thread may call these three.
+    void load(Compiled& made) const;
+    void compile(Compiled& made, const std::string& source) const;
+    Compiled load_or_compile(const Variant& variant) const;
+
+    const BuiltKernel& add(const std::string& key, const Compiled& made);
+    void keep(const Compiled& made);
 
     cl::Context context_;
     std::vector<cl::Device> devices_;
     DeviceInfo info_;
     std::optional<BinaryCache> cache_;
+    std::launch policy_;  // how several are built
     std::vector<std::string> warnings_;
     std::string common_options_;
     std::map<std::string, BuiltKernel> built_;
