@@ -40,6 +40,9 @@ struct DeviceInfo {
     DeviceInfo part_of(int parts, int part) const;
     /// PoCL on a CPU, whose compiler is clang.
     bool is_pocl() const { return type == DeviceType::cpu && platform_name == "Portable Computing Language"; }
+    /// Whether its compiler works for several threads at once, as OpenCL demands. PoCL's has one lock, and who waits
+    /// there cannot stop between two kernels; Oclgrind's crashes.
+    bool compiles_at_once() const { return !is_pocl() && platform_name != "Oclgrind"; }
 };
 
 const char* to_string(DeviceType type);

@@ -15,8 +15,7 @@ Programs::Programs(const cl::Context& context, const std::vector<cl::Device>& de
       devices_(devices),
       info_(info),
       cache_(binary_cache_for(info)),
-      // PoCL compiles one kernel at a time, whoever asks: threads would but wait, and not stop between two kernels.
-      policy_(info.is_pocl() ? std::launch::deferred : std::launch::async) {
+      policy_(info.compiles_at_once() ? std::launch::async : std::launch::deferred) {
     // PoCL on a CPU: clang's builtins are at hand.
     common_options_ = info.is_pocl() ? " -D CLANG_TO_MACHINE=1" : " -D CLANG_TO_MACHINE=0";
     // cl/builtins.h takes the place of the header that this driver would read first, and of no other driver's.
