@@ -29,14 +29,6 @@ INLINE Certainty certainty_of(LightPencil light, global const real* doubts, real
     return (Certainty){doubt_at(light, doubts[place], curvature, base), curvature, base, undecided};
 }
 
-#if DOUBT_RAYS > 1
-// How far the position of each hit of packet k may be off by itself.
-INLINE realw own_positions(Hits hits, Certainty certainty, int item, int k) {
-    return position_doubt(load_r(hits.ts, item, k), load_3(hits.dirs, item, k), load_3(hits.normals, item, k),
-                          MOST_STEEP, certainty.base);
-}
-#endif
-
 // Which of the hits in `open`, bits of the work-item, may not face the light by their own doubts. They are few, and
 // this works on copies, so that everything else stays in registers.
 INLINE ulong facing_alone(Hits hits, LightPencil light, const ShadowRay* ray, Certainty certainty, int item,
@@ -48,11 +40,11 @@ INLINE ulong facing_alone(Hits hits, LightPencil light, const ShadowRay* ray, Ce
     FOR_PACKETS(k) rays[k] = ray[k];
     ulong left = 0;
     ONE_PACKET_AT_A_TIME(k) {
-        const realw positions = own_positions(hits, certainty, item, k);
+        const realw off = load_r(hits.position_doubts, item, k);
         const vec3w position = position_of(hits, item, k), normal = load_3(hits.normals, item, k);
         for (int rest = (int)(open >> k * LANES) & ALL_LANES; rest; rest &= rest - 1) {
             const int lane = lowest_bit(rest);
-            const LightDoubt own = doubt_at(light, LANE_OF(positions, lane), certainty.curvature, certainty.base);
+            const LightDoubt own = doubt_at(light, LANE_OF(off, lane), certainty.curvature, certainty.base);
             const int facing = lane_bits(ints_of(may_face(light, rays[k], position, normal, own))) >> lane & 1;
             left |= (ulong)facing << (k * LANES + lane);
         }
@@ -116,10 +108,10 @@ INLINE ulong trace_each_alone(Hits hits, Hierarchy hierarchy, LightPencil light,
     FOR_PACKETS(k) rays[k] = ray[k];
     ulong left = 0, closed = 0;
     ONE_PACKET_AT_A_TIME(k) {
-        const realw positions = own_positions(hits, certainty, item, k);
+        const realw off = load_r(hits.position_doubts, item, k);
         for (int rest = (int)(open >> k * LANES) & ALL_LANES; rest; rest &= rest - 1) {
             const int lane = lowest_bit(rest), id = hits.ids[lane_address(item, k, 0, 1) + (size_t)lane];
-            const LightDoubt own = doubt_at(light, LANE_OF(positions, lane), certainty.curvature, certainty.base);
+            const LightDoubt own = doubt_at(light, LANE_OF(off, lane), certainty.curvature, certainty.base);
             const ulong found = (ulong)trace_alone(hierarchy, fat, most, rays[k], own, id, lane);
             closed |= (found & 1) << (k * LANES + lane);
             left |= (found >> 1) << (k * LANES + lane);

@@ -1,13 +1,14 @@
 // intersect_closest: the first sphere that each ray of the eye's pencil meets.
 //
-// Reads dirs (block order, 3 a ray) and the hierarchy of the spheres as the eye sees them; with -D RAYS=RAYS_GENERATED
-// it writes dirs itself, as generate_rays would, but not those of work-items that meet nothing. Writes per ray t, the
-// outward unit normal and the id (a miss: +inf, (inf, inf, inf), -1); adds to hit_counts, one a block and first_block
-// of them before these, how many more of its rays hit. Where the spheres come in chunks (-D CHUNKS=1) and this is not
-// the first of them, what was written for those before is read, and stays where nothing is closer. With -D CERTIFIED=1
-// it also sets the bits of the rays of which rounding may decide what they hit in undecided (one a ray, from
-// first_block's on), and keeps in doubts what is to be known of all others' hits (certify.h). One work-item: PACKETS *
-// LANES neighbouring rays of a block against the spheres that their fat ray may meet.
+// Reads the hierarchy of the spheres as the eye sees them, and dirs (block order, 3 a ray) or, with -D
+// RAYS=RAYS_GENERATED, nothing else: it makes the rays itself, as generate_rays would. Writes per ray the hit's
+// position from the eye, t dir, the outward unit normal, the id and t (a miss: no position, (inf, inf, inf), -1, +inf);
+// with -D HITS=HITS_FOR_LIGHTS no t, and of vectors of rays that all miss the ids alone. Adds to hit_counts, one a
+// block and first_block of them before these, how many more of its rays hit. Where the spheres come in chunks (-D
+// CHUNKS=1) and this is not the first of them, what was written for those before is read, and stays where nothing is
+// closer. With -D CERTIFIED=1 it also sets the bits of the rays of which rounding may decide what they hit in undecided
+// (one a ray, from first_block's on), and keeps in doubts what is to be known of all others' hits (certify.h). One
+// work-item: PACKETS * LANES neighbouring rays of a block against the spheres that their fat ray may meet.
 #include "certain_hit.h"
 #include "closest_hit.h"
 #include "eye_pencil.h"
@@ -19,12 +20,29 @@
 #define BALL_CANDIDATES candidates
 #include "hierarchy.h"
 
-INLINE void store_misses(global real* ts, global real* normals, global int* ids, int item) {
-    FOR_PACKETS(k) {
-        store_r(wide(INFINITY), ts, item, k);
-        store_3(broadcast((Real3){INFINITY, INFINITY, INFINITY}), normals, item, k);
-        store_i((wholew)(-1), ids, item, k);
-    }
+// What is written of the hits.
+typedef struct {
+    global real *positions, *normals;
+    global int* ids;
+#if HITS == HITS_ALL
+    global real* ts;
+#endif
+} HitsOut;
+
+INLINE void store_hit(Hit hit, vec3w dir, vec3w normal, HitsOut out, int item, int k) {
+    store_i(hit.id, out.ids, item, k);
+#if HITS == HITS_ALL
+    store_r(hit.t, out.ts, item, k);
+#else
+    if (LANES > 1 && !any_lane(hit.id >= 0)) return;
+#endif
+    store_3(scale_w(hit.t, dir), out.positions, item, k);
+    store_3(normal, out.normals, item, k);
+}
+
+INLINE void store_misses(HitsOut out, int item) {
+    const vec3w infinite = broadcast((Real3){INFINITY, INFINITY, INFINITY});
+    FOR_PACKETS(k) store_hit(no_hit(), infinite, infinite, out, item, k);
 }
 
 // The next cluster with spheres that the fat ray may meet, and these as bits; -1 after the last.
@@ -67,17 +85,32 @@ INLINE void count_hits(global int* counts, int item, int more) {
 #endif
 }
 
-kernel void intersect_closest(global real* restrict dirs, global const PencilCluster* restrict clusters,
-                              global const Node* restrict nodes, global real* restrict ts,
-                              global real* restrict normals, global int* restrict ids, global int* restrict hit_counts,
-#if CERTIFIED
-                              global real* restrict doubts, global uint* restrict undecided,
+kernel void intersect_closest(
+#if RAYS == RAYS_READ
+    global const real* restrict dirs,
 #endif
-                              const EyePencil eye, const Basis basis, const Pass pass, const int first_item) {
+    global const PencilCluster* restrict clusters, global const Node* restrict nodes, global real* restrict positions,
+    global real* restrict normals, global int* restrict ids,
+#if HITS == HITS_ALL
+    global real* restrict ts,
+#endif
+    global int* restrict hit_counts,
+#if CERTIFIED
+    global real* restrict doubts, global uint* restrict undecided,
+#if DOUBT_RAYS > 1
+    global real* restrict position_doubts,
+#endif
+#endif
+    const EyePencil eye, const Basis basis, const Pass pass, const int first_item) {
     const int item = first_item + (int)get_global_id(0);
     if (item >= pass.items) return;
     const Hierarchy hierarchy = {clusters, nodes, pass.levels, pass.last};
     const real base = pass.base_doubt;
+#if HITS == HITS_ALL
+    const HitsOut out = {positions, normals, ids, ts};
+#else
+    const HitsOut out = {positions, normals, ids};
+#endif
     vec3w dir[PACKETS];
     Hit hit[PACKETS];
     Bounds bounds;
@@ -94,14 +127,13 @@ kernel void intersect_closest(global real* restrict dirs, global const PencilClu
     Traversal traversal = begin(hierarchy, fat);
     int rest, c = next_candidates(hierarchy, &traversal, fat, &rest);
     if (c < 0) {
-        store_misses(ts, normals, ids, item);
+        store_misses(out, item);
         return;
     }
 #endif
     FOR_PACKETS(k) {
 #if RAYS == RAYS_GENERATED
         dir[k] = eye_rays(eye, pass.tile, item, k);
-        store_3(dir[k], dirs, item, k);
 #else
         dir[k] = load_3(dirs, item, k);
 #endif
@@ -139,7 +171,6 @@ kernel void intersect_closest(global real* restrict dirs, global const PencilClu
     realw farthest_off = wide(0.0f), most_curved = wide(0.0f);
 #endif
     FOR_PACKETS(k) {
-        store_r(hit[k].t, ts, item, k);
         realw inverse;
         vec3w normal = outward_normal(hit[k], dir[k], &inverse);
 #if CERTIFIED
@@ -147,6 +178,9 @@ kernel void intersect_closest(global real* restrict dirs, global const PencilClu
         const realw off = position_doubt(hit[k].t, dir[k], normal, bounds.steep, base);
         const wholew certain = is_certain(hit_any, hit[k], bounds.other[k], off);
         open |= bits_of_packet(valid[k] & !certain, k);
+#if DOUBT_RAYS > 1
+        store_r(off, position_doubts, item, k);
+#endif
         farthest_off = MORE_WHERE(hit_any & certain, off, farthest_off);
         most_curved = MORE_WHERE(hit_any & certain, inverse, most_curved);
 #endif
@@ -158,8 +192,7 @@ kernel void intersect_closest(global real* restrict dirs, global const PencilClu
             hits -= choose(before >= 0, (wholew)(1), (wholew)(0));
         }
 #endif
-        store_3(normal, normals, item, k);
-        store_i(hit[k].id, ids, item, k);
+        store_hit(hit[k], dir[k], normal, out, item, k);
     }
 #if CERTIFIED
     keep_doubts(farthest_off, most_curved, doubts, doubts_place(pass.first_block, item));

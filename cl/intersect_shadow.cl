@@ -1,6 +1,6 @@
 // intersect_shadow: does anything stand between each hit and one light?
 //
-// Reads what intersect_closest wrote (t, normal, id) with dirs, and the spheres as this light's pencil sees them.
+// Reads what intersect_closest wrote (position, normal, id), and the spheres as this light's pencil sees them.
 // Writes one of the arrivals: what arrives of the light (arriving() of its pencil, > 0) where a hit faces it and
 // nothing is in between, else 0. Where the spheres come in chunks (-D CHUNKS=1) and this is not the first of them,
 // it is read, and what arrives there may be taken away. With -D CERTIFIED=1 hits of which rounding may decide whether
@@ -8,12 +8,14 @@
 // LANES neighbouring rays against the spheres that their fat ray may meet.
 #include "shadow.h"
 
-kernel void intersect_shadow(global const real* restrict dirs, global const real* restrict ts,
-                             global const real* restrict normals, global const int* restrict ids,
-                             global const PencilCluster* restrict clusters, global const Node* restrict nodes,
-                             global real* restrict arrivals,
+kernel void intersect_shadow(global const real* restrict positions, global const real* restrict normals,
+                             global const int* restrict ids, global const PencilCluster* restrict clusters,
+                             global const Node* restrict nodes, global real* restrict arrivals,
 #if CERTIFIED
                              global const real* restrict doubts, global uint* undecided,
+#if DOUBT_RAYS > 1
+                             global const real* restrict position_doubts,
+#endif
 #endif
                              const LightPencil light, const Pass pass, const int first_item) {
     const int item = first_item + (int)get_global_id(0);
@@ -21,7 +23,7 @@ kernel void intersect_shadow(global const real* restrict dirs, global const real
     realw share[PACKETS];
     ShadowRay ray[PACKETS];
     const Hierarchy hierarchy = {clusters, nodes, pass.levels, pass.last};
-    const Hits hits = {dirs, ts, normals, ids};
+    const Hits hits = HITS_READ;
     const Certainty certainty = CERTAINTY;
     global real* arrival = arrival_of(arrivals, pass, pass.arrival);
 #if CHUNKS

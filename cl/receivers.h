@@ -11,20 +11,28 @@
 #define BALL_CANDIDATES shadow_ball_candidates
 #include "hierarchy.h"
 
-// What intersect_closest wrote, with the rays that it read.
+// What intersect_closest wrote.
 typedef struct {
-    global const real *dirs, *ts, *normals;
+    global const real *positions, *normals;
     global const int* ids;
+#if CERTIFIED && DOUBT_RAYS > 1
+    global const real* position_doubts;
+#endif
 } Hits;
+#if CERTIFIED && DOUBT_RAYS > 1
+#define HITS_READ \
+    { positions, normals, ids, position_doubts }
+#else
+#define HITS_READ \
+    { positions, normals, ids }
+#endif
 
 // What arrives of each of the lights that a launch of shade_light adds, one after the other.
 INLINE global real* arrival_of(global real* arrivals, Pass pass, int light) {
     return arrivals + (size_t)light * (size_t)pass.tile.blocks * BLOCK_RAYS;
 }
 
-INLINE vec3w position_of(Hits hits, int item, int k) {
-    return scale_w(load_r(hits.ts, item, k), load_3(hits.dirs, item, k));
-}
+INLINE vec3w position_of(Hits hits, int item, int k) { return load_3(hits.positions, item, k); }
 
 // What arrives (arriving(), > 0) at the hits of packet k if nothing is in between, else 0.
 INLINE realw unshadowed(Hits hits, LightPencil light, ShadowRay ray, int item, int k) {

@@ -16,8 +16,8 @@
 #include "resolve.h"
 #include "shading.h"
 
-kernel void shade_light(global const real* restrict dirs, global const real* restrict ts,
-                        global const real* restrict normals, global const int* restrict ids,
+kernel void shade_light(global const real* restrict positions, global const real* restrict normals,
+                        global const int* restrict ids,
 #if SHADOWS != SHADOWS_OFF
                         global real* arrivals,
 #endif
@@ -28,6 +28,9 @@ kernel void shade_light(global const real* restrict dirs, global const real* res
 #endif
 #if CERTIFIED
                         global const real* restrict doubts, global uint* undecided,
+#if DOUBT_RAYS > 1
+                        global const real* restrict position_doubts,
+#endif
 #endif
                         const LightPencil light, const Pass pass, const Shading shading, const int first_item) {
     const int place = first_item + (int)get_global_id(0);
@@ -35,8 +38,7 @@ kernel void shade_light(global const real* restrict dirs, global const real* res
 #if SHADOWS == SHADOWS_OFF
     global real* arrivals = 0;
 #endif
-    const Shaded at = {
-        {dirs, ts, normals, ids}, {albedos + shading.first_albedo, shading.albedo_stride}, arrivals, radiance};
+    const Shaded at = {HITS_READ, {albedos + shading.first_albedo, shading.albedo_stride}, arrivals, radiance};
 #if RESOLVES
     const Pair pair = pair_of(pass.tile, place);
     const int each = BLOCK_RAYS / (LANES * PACKETS), begin = pair.first * each, end = begin + pair.count * each;

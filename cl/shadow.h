@@ -61,14 +61,14 @@ INLINE void trace_group(Hierarchy hierarchy, LightPencil light, const ShadowRay*
         }
 }
 
-// Takes from `left` the hits whose t is at most `ratio` times that of the nearest: neighbours, in a block, whose shadow
-// rays stay together.
-INLINE void take_group(const floatw* t, float ratio, wholew* left, wholew* group) {
+// Takes from `left` the hits that are at most sqrt(ratio) times as far from the eye as the nearest: neighbours, in a
+// block, whose shadow rays stay together. `far`: squared distances.
+INLINE void take_group(const floatw* far, float ratio, wholew* left, wholew* group) {
     floatw nearest = wide_float(INFINITY);
-    FOR_PACKETS(k) nearest = LESS_WHERE(ints_of(left[k]), t[k], nearest);
+    FOR_PACKETS(k) nearest = LESS_WHERE(ints_of(left[k]), far[k], nearest);
     const floatw limit = wide_float(REDUCE(least, nearest) * ratio);
     FOR_PACKETS(k) {
-        group[k] = left[k] & wholes_of(t[k] <= limit);
+        group[k] = left[k] & wholes_of(far[k] <= limit);
         left[k] &= !group[k];
     }
 }
@@ -78,18 +78,20 @@ INLINE void take_group(const floatw* t, float ratio, wholew* left, wholew* group
 // factor group_depth (> 1). With -D CERTIFIED=1 hits whose shadow rounding may decide are left undecided.
 INLINE void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil light, const ShadowRay* ray, float group_depth,
                           int item, realw* share, Certainty certainty) {
-    floatw t[PACKETS];
-    wholew id[PACKETS], left[PACKETS], group[PACKETS];
-    FOR_PACKETS(k) {
-        left[k] = share[k] > 0.0f;
-        id[k] = load_i(hits.ids, item, k);
-        t[k] = floats_of(load_r(hits.ts, item, k));
-    }
+    wholew id[PACKETS], group[PACKETS];
+    FOR_PACKETS(k) id[k] = load_i(hits.ids, item, k);
 #if WALK == WALK_NODES
+    floatw far[PACKETS];
+    wholew left[PACKETS];
+    FOR_PACKETS(k) {
+        const vec3w position = position_of(hits, item, k);
+        far[k] = floats_of(dot_w(position, position));
+        left[k] = share[k] > 0.0f;
+    }
     while (any_open(left)) {
-        take_group(t, group_depth, left, group);
+        take_group(far, group_depth * group_depth, left, group);
 #else
-    FOR_PACKETS(k) group[k] = left[k];
+    FOR_PACKETS(k) group[k] = share[k] > 0.0f;
     if (any_open(group)) {
 #endif
 #if CERTIFIED

@@ -25,6 +25,10 @@
 #define RAYS_READ 0
 #define RAYS_GENERATED 1
 
+// What intersect_closest writes of the hits: all, of misses too; or what lights need, of packets that hit.
+#define HITS_ALL 0
+#define HITS_FOR_LIGHTS 1
+
 // Where shade_light has its shadows from.
 #define SHADOWS_OFF 0
 #define SHADOWS_READ 1

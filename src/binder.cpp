@@ -45,14 +45,19 @@ void Binder::bind(cl::Kernel& kernel, const TileLaunch& launch) const {
             break;
         case Kernel::intersect_closest:
             Arguments(kernel)
-                .add(b.dirs, launch.spheres->clusters, launch.spheres->nodes, b.ts, b.normals, b.ids, hit_counts_)
+                .add_if(plan_.generate_rays, b.dirs)
+                .add(launch.spheres->clusters, launch.spheres->nodes, b.positions, b.normals, b.ids)
+                .add_if(plan_.all_hits, b.ts)
+                .add(hit_counts_)
                 .add_if(plan_.certified, undecided_.doubts(), undecided_.words())
+                .add_if(plan_.keeps_doubts(), b.position_doubts)
                 .add(scene_.eye, scene_.eye_basis, pass(launch));
             break;
         case Kernel::intersect_shadow:
             Arguments(kernel)
-                .add(b.dirs, b.ts, b.normals, b.ids, launch.spheres->clusters, launch.spheres->nodes, b.arrivals)
+                .add(b.positions, b.normals, b.ids, launch.spheres->clusters, launch.spheres->nodes, b.arrivals)
                 .add_if(plan_.certified, undecided_.doubts(), undecided_.words())
+                .add_if(plan_.keeps_doubts(), b.position_doubts)
                 .add(light(launch).pencil, pass(launch));
             break;
         case Kernel::shade_light:
@@ -69,12 +74,13 @@ void Binder::bind(cl::Kernel& kernel, const TileLaunch& launch) const {
 void Binder::bind_shade_light(cl::Kernel& kernel, const TileLaunch& launch) const {
     const TileBuffers& b = launch.buffers;
     Arguments arguments(kernel);
-    arguments.add(b.dirs, b.ts, b.normals, b.ids)
+    arguments.add(b.positions, b.normals, b.ids)
         .add_if(plan_.shadows != Shadows::off, b.arrivals)
         .add(launch.spheres->clusters, launch.spheres->nodes)
         .add(albedos(launch).values, b.radiance);
     if (!plan_.resolve_radiance) arguments.add(plane(launch, 0), plane(launch, 1), plane(launch, 2));
     arguments.add_if(plan_.certified, undecided_.doubts(), undecided_.words())
+        .add_if(plan_.keeps_doubts(), b.position_doubts)
         .add(light(launch).pencil, pass(launch), shading(launch));
 }
 

@@ -53,10 +53,12 @@ TileBuffers allocate_tile(const DeviceMemory& memory, const Plan& plan) {
         return with_real(plan.accuracy, [&](auto real) { return memory.room<decltype(real)>(count); });
     };
     TileBuffers tile;
-    tile.dirs = reals(3 * rays);
-    tile.ts = reals(rays);
+    if (plan.generate_rays) tile.dirs = reals(3 * rays);
+    tile.positions = reals(3 * rays);
     tile.normals = reals(3 * rays);
     tile.ids = memory.room<int>(rays);
+    if (plan.all_hits) tile.ts = reals(rays);
+    if (plan.keeps_doubts()) tile.position_doubts = reals(rays);
     if (const int arrivals = plan.arrivals(); arrivals > 0) tile.arrivals = reals(arrivals * rays);
     if (plan.uses(Kernel::shade_light)) tile.radiance = reals(3 * rays);
     if (plan.albedos_of_rays) tile.albedos = memory.room<float>(3 * rays);
@@ -85,6 +87,9 @@ TilePool::Shape TilePool::shape_of(const Plan& plan) {
     return {static_cast<size_t>(plan.tile_sets),
             static_cast<size_t>(plan.tile_blocks),
             static_cast<size_t>(plan.arrivals()),
+            size_t{plan.generate_rays},
+            size_t{plan.all_hits},
+            size_t{plan.keeps_doubts()},
             size_t{plan.uses(Kernel::shade_light)},
             size_t{plan.write_in_place},
             size_t{plan.albedos_of_rays},

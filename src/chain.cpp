@@ -38,8 +38,10 @@ class Chain {
             defines.push_back("CERTIFIED=1");
             defines.push_back("DOUBT_RAYS=" + std::to_string(plan_.doubt_rays));
         }
-        if (step.kernel == Kernel::intersect_closest)
+        if (step.kernel == Kernel::intersect_closest) {
             defines.push_back(plan_.generate_rays ? "RAYS=RAYS_READ" : "RAYS=RAYS_GENERATED");
+            defines.push_back(plan_.all_hits ? "HITS=HITS_ALL" : "HITS=HITS_FOR_LIGHTS");
+        }
         add_lanes(step, defines);
     }
     void resolve(Output output) {

@@ -28,9 +28,10 @@ int64_t largest(int64_t high, Allowed allowed) {
 
 /// Of all its buffers, without an albedo, and of the largest.
 int64_t bytes_per_whole_ray(const MemoryNeeds& n) {
-    return bytes_per_ray(n.sphere.real_bytes, n.arrivals) + n.film_bytes_per_ray;
+    const int64_t direction = n.generate_rays ? bytes_per_direction(n.sphere.real_bytes) : 0;
+    return bytes_per_ray(n.sphere.real_bytes, n.arrivals) + direction + n.film_bytes_per_ray;
 }
-int64_t bytes_per_direction(const MemoryNeeds& n) { return int64_t{3} * n.sphere.real_bytes; }
+int64_t bytes_per_position(const MemoryNeeds& n) { return int64_t{3} * n.sphere.real_bytes; }
 
 std::string mebibytes(int64_t bytes) { return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB"; }
 
@@ -48,13 +49,16 @@ int64_t one_view_peak(const MemoryNeeds& n, int64_t tile_rays) {
            std::max(s.building(n.spheres), s.rows(n.spheres) + s.clusters(n.spheres) + s.view(n.spheres));
 }
 
-int64_t bytes_per_cut_ray(const MemoryNeeds& n) { return bytes_per_whole_ray(n) + bytes_per_albedo; }
+int64_t bytes_per_cut_ray(MemoryNeeds n) {
+    n.generate_rays = true;
+    return bytes_per_whole_ray(n) + bytes_per_albedo;
+}
 
 /// Rays that stay on the device while the chunks go by.
 int64_t tile_beside_chunks(const MemoryNeeds& n, const MemoryLimits& limits) {
     const int64_t ray = bytes_per_cut_ray(n);
     const int64_t wanted = n.asked_tile_rays > 0 ? n.asked_tile_rays : limits.all / 4 / ray;
-    const int64_t most = std::min({wanted, n.image_rays, max_tile_rays, limits.one_buffer / bytes_per_direction(n)});
+    const int64_t most = std::min({wanted, n.image_rays, max_tile_rays, limits.one_buffer / bytes_per_position(n)});
     return std::max<int64_t>(most / BLOCK_RAYS, 1) * BLOCK_RAYS;
 }
 
@@ -64,7 +68,7 @@ int64_t tile_beside_chunks(const MemoryNeeds& n, const MemoryLimits& limits) {
                           std::max(s.building(least_chunk), s.clusters(least_chunk) + s.view(least_chunk));
     throw Error(Blame::run,
                 "the scene needs at least " + mebibytes(least) + " on the device, and " +
-                    mebibytes(std::max(s.largest_buffer(least_chunk), tile_rays * bytes_per_direction(n))) +
+                    mebibytes(std::max(s.largest_buffer(least_chunk), tile_rays * bytes_per_position(n))) +
                     " in one buffer; it may use " + mebibytes(limits.all) + ", " + mebibytes(limits.one_buffer) +
                     " in one buffer",
                 "", "allow more memory (--memory), use a device with more, or a smaller --tile");
@@ -75,7 +79,7 @@ int64_t tile_beside_chunks(const MemoryNeeds& n, const MemoryLimits& limits) {
 MemoryPlan plan_memory(const MemoryNeeds& n, const MemoryLimits& limits) {
     const SphereFootprint& s = n.sphere;
     const bool one_buffer_holds =
-        s.largest_buffer(n.spheres) <= limits.one_buffer && n.tile_rays * bytes_per_direction(n) <= limits.one_buffer;
+        s.largest_buffer(n.spheres) <= limits.one_buffer && n.tile_rays * bytes_per_position(n) <= limits.one_buffer;
     const int64_t tile_rays = tile_beside_chunks(n, limits);
     const int64_t whole = whole_peak(n), one_view = one_view_peak(n, tile_rays);
     if (one_buffer_holds && std::min(whole, one_view) <= limits.all) {

@@ -22,6 +22,7 @@ struct MemoryNeeds {
     int64_t tiles_under_way = 1;
     bool all_views = false;          ///< are needed at once, if they fit
     int64_t arrivals = 0;            ///< of so many lights what arrives is kept
+    bool generate_rays = false;      ///< in a launch of its own, as always beside chunks
     int64_t film_bytes_per_ray = 0;  ///< of a tile, where the film is read back from the device
     int64_t other_bytes = 0;         ///< whatever else there is
 };
@@ -38,11 +39,13 @@ struct MemoryPlan {
     int64_t peak_bytes = 0;  ///< of the device
 };
 
-/// Bytes of one ray in a tile's buffers: dir, normal and radiance 3 reals each, t 1, and 1 for each light of which what
-/// arrives is kept; id 4; albedo 12 if the scene is cut.
+/// Bytes of one ray in a tile's buffers: position, normal and radiance 3 reals each, t 1, and 1 for each light of which
+/// what arrives is kept; id 4. Besides, 3 reals for its direction if a launch of its own makes the rays, and 12 for the
+/// albedo if the scene is cut.
 constexpr int64_t bytes_per_ray(int64_t real_bytes, int64_t arrivals) {
     return (3 + 3 + 3 + 1 + arrivals) * real_bytes + 4;
 }
+constexpr int64_t bytes_per_direction(int64_t real_bytes) { return 3 * real_bytes; }
 constexpr int64_t bytes_per_albedo = 12;
 
 /// Throws Error(Blame::run) when not even small chunks fit.

@@ -46,16 +46,19 @@ int most_faces(const Scene& scene, const Survey& survey, const Frame& frame) {
     return most;
 }
 
-/// A bit for each ray, doubts for each block and, while undecided ones are computed again, rays and views of doubles.
+/// A bit for each ray, doubts for each block and each ray of the tiles and, while undecided ones are computed again,
+/// rays and views of doubles.
 int64_t certifying_bytes(const MemoryNeeds& needs) {
     SphereFootprint doubles = needs.sphere;
     doubles.real_bytes = 8;
     constexpr int64_t bit = 1, place = 4;
     const auto alone = [&](int real) {
-        return int64_t{refinement_batch} * (bytes_per_ray(real, needs.arrivals) + 2 * real + bit + place);
+        return int64_t{refinement_batch} *
+               (bytes_per_ray(real, needs.arrivals) + bytes_per_direction(real) + 2 * real + bit + place);
     };
     const int64_t doubts = needs.image_rays / BLOCK_RAYS * 2 * 4;
-    return needs.image_rays / 8 + doubts + alone(8) + alone(4) + needs.views * doubles.view(needs.spheres);
+    const int64_t own_doubts = needs.tiles_under_way * needs.tile_rays * needs.sphere.real_bytes;
+    return needs.image_rays / 8 + doubts + own_doubts + alone(8) + alone(4) + needs.views * doubles.view(needs.spheres);
 }
 
 void use(Tiling tiling, Plan& plan) {
@@ -82,6 +85,7 @@ MemoryPlan share_memory(const Plan& plan, const Scene& scene, const Survey& surv
     needs.tiles_under_way = plan.tile_sets;
     needs.asked_tile_rays = options.tile;
     needs.arrivals = options.shadows ? std::min<int64_t>(static_cast<int64_t>(scene.lights.size()), MOST_SHADED) : 0;
+    needs.generate_rays = !limits.cpu;
     needs.film_bytes_per_ray = plan.write_in_place ? 0 : 3 * 4;
     needs.all_views = options.accuracy == Accuracy::certified;
     // The counts of hits, one a block and 4 bytes, and a value for each buffer that a scene does not use.
@@ -211,6 +215,7 @@ Plan make_plan(const Scene& scene, const Survey& survey, const RenderOptions& op
     const bool few_launches = limits.cpu && !plan.memory.cut;
     if (options.shadows) plan.shadows = few_launches || plan.certified ? Shadows::traced : Shadows::read;
     plan.generate_rays = !few_launches;
+    plan.all_hits = options.outputs.distance || options.outputs.normal || plan.memory.cut;
     plan.resolve_radiance = !few_launches || !plan.write_in_place;
     add_steps(plan, scene, options);
     if (!plan.steps.empty()) add_sphere_kernels(plan, scene);
@@ -223,7 +228,7 @@ Plan make_refinement_plan(const Plan& plan, const Scene& scene, Accuracy accurac
     refined.lanes = 1;
     refined.packets = 1;
     refined.doubt_rays = 1;
-    refined.generate_rays = refined.resolve_radiance = true;
+    refined.generate_rays = refined.all_hits = refined.resolve_radiance = true;
     refined.write_in_place = refined.stream = false;
     const int blocks = refinement_batch / BLOCK_RAYS;
     use({{{0, 0, blocks, blocks}}, 1, 1}, refined);

@@ -92,6 +92,7 @@ struct Plan {
     int max_slices = 1;          ///< parts into which a sort is cut
     Shadows shadows = Shadows::off;
     bool generate_rays = true;      ///< in a launch of its own, not in intersect_closest's
+    bool all_hits = true;           ///< t, and misses, are kept, not just what lights need
     bool resolve_radiance = true;   ///< in a launch of its own, not in the last light's
     bool stream = true;             ///< the film is written past the caches
     bool write_in_place = true;     ///< the film's planes are the device's buffers
@@ -111,8 +112,9 @@ struct Plan {
     bool albedos_of_rays = false;  ///< looked up by the host when all hits are known, since no chunk has all
 
     int rays_per_item() const { return lanes * packets; }
-    int items(Kernel kernel, const Tile& tile) const;  ///< work-items of a launch
-    std::string walk() const;                          ///< how rays meet the spheres: cl/types.h
+    int items(Kernel kernel, const Tile& tile) const;                  ///< work-items of a launch
+    std::string walk() const;                                          ///< how rays meet the spheres: cl/types.h
+    bool keeps_doubts() const { return certified && doubt_rays > 1; }  ///< each hit's own, beside what they share
     bool flat() const;                ///< so few spheres that the host puts them in clusters and in view: no nodes
     bool uses(Kernel kernel) const;   ///< some step launches it
     int arrivals() const;             ///< of so many lights at once the shares that arrive are kept

@@ -105,12 +105,12 @@ int Tiling::largest() const {
 
 Tiling one_by_one(const ImageSize& image, int rays) { return {cut_alike(image, rays), 1, 1}; }
 
-/// What intersect_closest hands on to the lights' launches (dir, normal, t, id) should still be in the core's cache
+/// What intersect_closest hands on to the lights' launches (position, normal, id) should still be in the core's cache
 /// when they read it. That of one and a half times as many rays as fit was found the fastest: fewer mean more launches.
 int64_t core_tile_rays(int real_bytes, const DeviceLimits& limits) {
     const int64_t cache =
         limits.core_cache_bytes > 0 ? static_cast<int64_t>(limits.core_cache_bytes) : assumed_core_cache;
-    const int64_t handed_on = (3 + 3 + 1) * real_bytes + 4;
+    const int64_t handed_on = (3 + 3) * real_bytes + 4;
     return std::clamp<int64_t>(cache * 3 / 2 / handed_on, least_core_tile_rays, cpu_tile_rays);
 }
 

@@ -11,7 +11,7 @@ namespace gnomon::test {
 /// What intersect_closest writes.
 template <class real>
 struct HitsOf {
-    std::vector<real> ts, normals;
+    std::vector<real> ts, normals, positions;
     std::vector<int> ids, counts;
 };
 using Hits = HitsOf<float>;
@@ -30,22 +30,30 @@ HitsOf<real> closest(Bench& bench, Width w, const Camera& camera, const PencilSp
     const size_t rays = packed_dirs.size() / 3;
     const int items = static_cast<int>(rays) / w.rays();
     const size_t blocks = (rays + BLOCK_RAYS - 1) / BLOCK_RAYS;
-    const GuardedBuffer<real> dirs(bench, packed_dirs), ts(bench, rays), normals(bench, 3 * rays);
+    const GuardedBuffer<real> dirs(bench, packed_dirs), positions(bench, 3 * rays), normals(bench, 3 * rays),
+        ts(bench, rays);
     const GuardedSpheres<real> in(bench, spheres);
     const GuardedBuffer<int> ids(bench, rays), counts(bench, std::vector<int>(first_block + blocks, counted_before));
     bench.launch(bench.programs
                      .get({Kernel::intersect_closest, w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_READ"}),
                            accuracy_of<real>})
                      .kernel,
-                 items, dirs.buffer(), in.clusters.buffer(), in.nodes.buffer(), ts.buffer(), normals.buffer(),
-                 ids.buffer(), counts.buffer(), EyePencilOf<real>{}, eye_basis(camera),
+                 items, dirs.buffer(), in.clusters.buffer(), in.nodes.buffer(), positions.buffer(), normals.buffer(),
+                 ids.buffer(), ts.buffer(), counts.buffer(), EyePencilOf<real>{}, eye_basis(camera),
                  Pass{{}, items, first_block, spheres.levels, spheres.last, 1, 0, 0, 0});
-    HitsOf<real> hits{ts.read(), normals.read(), ids.read(), counts.read()};
+    HitsOf<real> hits{ts.read(), normals.read(), positions.read(), ids.read(), counts.read()};
     dirs.check_unchanged();
     in.check_unchanged();
     std::vector<int> expected(first_block + blocks, counted_before);
-    for (size_t ray = 0; ray < rays; ++ray) expected[first_block + ray / BLOCK_RAYS] += hits.ids[ray] >= 0;
+    int elsewhere = 0;
+    for (size_t ray = 0; ray < rays; ++ray) {
+        expected[first_block + ray / BLOCK_RAYS] += hits.ids[ray] >= 0;
+        const Real3Of<real> d = unpacked(packed_dirs, ray), position = unpacked(hits.positions, ray);
+        const real t = hits.ts[ray];
+        elsewhere += hits.ids[ray] >= 0 && !(position.x == t * d.x && position.y == t * d.y && position.z == t * d.z);
+    }
     CHECK(hits.counts == expected);
+    CHECK(elsewhere == 0);
     return hits;
 }
 
@@ -62,24 +70,39 @@ HitsOf<real> closest(Bench& bench, const Scene& scene, const std::vector<Real3Of
     return hits;
 }
 
-/// Of the pixels of a tile, with the rays that intersect_closest generates itself; `dirs` are these, packed.
+/// Of the pixels of a tile, with the rays that intersect_closest generates itself. For lights alone ts stays as it was.
 inline Hits closest_of_pixels(Bench& bench, Width w, const Scene& scene, const Tile& tile, const PencilSpheres& spheres,
-                              std::vector<float>* dirs_out = nullptr) {
+                              bool for_lights = false) {
     INFO(w << " " << spheres.walk);
     const size_t rays = static_cast<size_t>(tile.blocks) * BLOCK_RAYS;
     const int items = static_cast<int>(rays) / w.rays();
     const GuardedSpheres<float> in(bench, spheres);
-    const GuardedBuffer<float> dirs(bench, 3 * rays), ts(bench, rays), normals(bench, 3 * rays);
+    const GuardedBuffer<float> positions(bench, 3 * rays), ts(bench, rays), normals(bench, 3 * rays);
     const GuardedBuffer<int> ids(bench, rays);
     const GuardedBuffer<int> counts(bench, std::vector<int>(static_cast<size_t>(tile.blocks)));
     const Variant variant{Kernel::intersect_closest,
-                          w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_GENERATED"})};
-    bench.launch(bench.programs.get(variant).kernel, items, dirs.buffer(), in.clusters.buffer(), in.nodes.buffer(),
-                 ts.buffer(), normals.buffer(), ids.buffer(), counts.buffer(), eye_pencil(scene.camera, scene.image),
-                 eye_basis(scene.camera), Pass{tile, items, 0, spheres.levels, spheres.last, 1, 0, 0, 0});
+                          w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_GENERATED",
+                                     for_lights ? "HITS=HITS_FOR_LIGHTS" : "HITS=HITS_ALL"})};
+    cl::Kernel kernel = bench.programs.get(variant).kernel;
+    Arguments(kernel)
+        .add(in.clusters.buffer(), in.nodes.buffer(), positions.buffer(), normals.buffer(), ids.buffer())
+        .add_if(!for_lights, ts.buffer())
+        .add(counts.buffer(), eye_pencil(scene.camera, scene.image), eye_basis(scene.camera),
+             Pass{tile, items, 0, spheres.levels, spheres.last, 1, 0, 0, 0}, cl_int(0));
+    bench.launch_bound(kernel, items);
     in.check_unchanged();
-    if (dirs_out) *dirs_out = dirs.read();
-    return {ts.read(), normals.read(), ids.read(), counts.read()};
+    return {ts.read(), normals.read(), positions.read(), ids.read(), counts.read()};
+}
+
+/// The rays that intersect_closest generates, as the positions tell where the eye is the middle of a ball: t is 1 but
+/// for the frame's unit, a power of 2, so that both products are exact.
+inline std::vector<float> generated_rays(Bench& bench, Width w, const Scene& scene, const Tile& tile) {
+    Scene inside = scene;
+    inside.spheres = {{scene.camera.eye, 1, {}}};
+    const Hits hits = closest_of_pixels(bench, w, scene, tile, brute(seen_from_eye(bench, inside)));
+    std::vector<float> dirs = hits.positions;
+    for (size_t i = 0; i < dirs.size(); ++i) dirs[i] /= hits.ts[i / (3 * BLOCK_RAYS) * BLOCK_RAYS + i % BLOCK_RAYS];
+    return dirs;
 }
 
 template <class real>

@@ -26,6 +26,12 @@ struct Receivers {
         const reference::Hit hit = reference::closest_hit(scene, {scene.camera.eye, to_double(dir)});
         add(dir, static_cast<float>(hit.t), to_float(hit.normal), hit.id);
     }
+    /// From the eye, as intersect_closest rounds them.
+    std::vector<Float3> positions() const {
+        std::vector<Float3> all;
+        for (size_t i = 0; i < size(); ++i) all.push_back({ts[i] * dirs[i].x, ts[i] * dirs[i].y, ts[i] * dirs[i].z});
+        return all;
+    }
     size_t size() const { return ids.size(); }
     /// Whole blocks: misses behind the last one.
     Receivers padded() const {
@@ -69,19 +75,17 @@ inline LightSetup brute(LightSetup light) {
 
 /// The inputs of both kernels on the device.
 struct HitBuffers {
-    GuardedBuffer<float> dirs, ts, normals;
+    GuardedBuffer<float> positions, normals;
     GuardedBuffer<int> ids;
     GuardedSpheres<float> spheres;
 
     HitBuffers(Bench& bench, const Receivers& hits, const LightSetup& light)
-        : dirs(bench, packed(hits.dirs)),
-          ts(bench, hits.ts),
+        : positions(bench, packed(hits.positions())),
           normals(bench, packed(hits.normals)),
           ids(bench, hits.ids),
           spheres(bench, light.spheres) {}
     void check_unchanged() const {
-        dirs.check_unchanged();
-        ts.check_unchanged();
+        positions.check_unchanged();
         normals.check_unchanged();
         ids.check_unchanged();
         spheres.check_unchanged();
@@ -100,7 +104,7 @@ inline std::vector<float> arrival(Bench& bench, Width w, const Receivers& hits, 
             .kernel;
     std::visit(
         [&](const auto& pencil) {
-            bench.launch(kernel, items, in.dirs.buffer(), in.ts.buffer(), in.normals.buffer(), in.ids.buffer(),
+            bench.launch(kernel, items, in.positions.buffer(), in.normals.buffer(), in.ids.buffer(),
                          in.spheres.clusters.buffer(), in.spheres.nodes.buffer(), result.buffer(), pencil,
                          Pass{{}, items, 0, light.spheres.levels, light.spheres.last, 1, 0, light.group_depth, 0});
         },
@@ -176,7 +180,7 @@ inline std::vector<float> shade(Bench& bench, Width w, const Scene& scene, const
                     0};
     cl::Kernel kernel = bench.programs.get(variant).kernel;
     Arguments(kernel)
-        .add(in.dirs.buffer(), in.ts.buffer(), in.normals.buffer(), in.ids.buffer())
+        .add(in.positions.buffer(), in.normals.buffer(), in.ids.buffer())
         .add_if(shading.shadows != "SHADOWS_OFF", arriving.buffer())
         .add(in.spheres.clusters.buffer(), in.spheres.nodes.buffer(), albedos.buffer(), radiance.buffer())
         .add_if(resolved != nullptr, planes[0].buffer(), planes[1].buffer(), planes[2].buffer())

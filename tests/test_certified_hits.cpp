@@ -29,8 +29,8 @@ Certified<real> closest_certified(Bench& bench, const Scene& scene, const std::v
     const size_t rays = packed_dirs.size() / 3;
     const int items = static_cast<int>(rays) / w.rays();
     const GuardedSpheres<real> in(bench, spheres);
-    const GuardedBuffer<real> dirs(bench, packed_dirs), ts(bench, rays), normals(bench, 3 * rays),
-        doubts(bench, 2 * rays);
+    const GuardedBuffer<real> dirs(bench, packed_dirs), positions(bench, 3 * rays), ts(bench, rays),
+        normals(bench, 3 * rays), doubts(bench, 2 * rays);
     const GuardedBuffer<int> ids(bench, rays), counts(bench, std::vector<int>(rays)),
         undecided(bench, std::vector<int>(rays / 32));
     const Variant variant{
@@ -38,8 +38,8 @@ Certified<real> closest_certified(Bench& bench, const Scene& scene, const std::v
         w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "CERTIFIED=1", "DOUBT_RAYS=1", "RAYS=RAYS_READ"}),
         accuracy_of<real>};
     bench.launch(bench.programs.get(variant).kernel, items, dirs.buffer(), in.clusters.buffer(), in.nodes.buffer(),
-                 ts.buffer(), normals.buffer(), ids.buffer(), counts.buffer(), doubts.buffer(), undecided.buffer(),
-                 EyePencilOf<real>{}, eye_basis(scene.camera),
+                 positions.buffer(), normals.buffer(), ids.buffer(), ts.buffer(), counts.buffer(), doubts.buffer(),
+                 undecided.buffer(), EyePencilOf<real>{}, eye_basis(scene.camera),
                  Pass{{}, items, 0, spheres.levels, spheres.last, 1, 0, 0, base_doubt(scene, made.survey, made.frame)});
     in.check_unchanged();
     return {ts.read(), doubts.read(), ids.read(), undecided.read()};

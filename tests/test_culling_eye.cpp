@@ -28,10 +28,7 @@ void add_touching(Scene& scene, const Tile& tile, Random& random) {
 /// sphere.
 int64_t met(Bench& bench, const Scene& scene, const Tile& tile) {
     const PencilSpheres spheres = seen_from_eye(bench, scene);
-    std::vector<float> dirs;
-    Scene around = scene;
-    around.spheres = {{scene.camera.eye, 1, {}}};
-    closest_of_pixels(bench, widths[0], scene, tile, brute(seen_from_eye(bench, around)), &dirs);
+    const std::vector<float> dirs = generated_rays(bench, widths[0], scene, tile);
     const Hits expected = closest(bench, widths[0], scene.camera, brute(spheres), dirs);
     for (const Width& w : widths) {
         INFO(w);

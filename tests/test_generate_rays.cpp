@@ -16,15 +16,6 @@ std::vector<float> generate(Bench& bench, Width w, const EyePencil& eye, const T
     return dirs.read();
 }
 
-/// As intersect_closest generates them for itself, where all of them meet something.
-std::vector<float> generate_and_intersect(Bench& bench, Width w, const Scene& scene, const Tile& tile) {
-    Scene with_sphere = scene;
-    with_sphere.spheres = {{scene.camera.eye, 1, {}}};
-    std::vector<float> dirs;
-    closest_of_pixels(bench, w, scene, tile, brute(seen_from_eye(bench, with_sphere)), &dirs);
-    return dirs;
-}
-
 /// Of one ray a work-item, after checking that the other widths, and intersect_closest, give the same bits.
 std::vector<float> generate(Bench& bench, const Scene& scene, const Tile& tile) {
     const EyePencil eye = eye_pencil(scene.camera, scene.image);
@@ -32,7 +23,7 @@ std::vector<float> generate(Bench& bench, const Scene& scene, const Tile& tile) 
     for (const Width& w : widths) {
         INFO(w);
         CHECK(same_bits(generate(bench, w, eye, tile), dirs));
-        CHECK(same_bits(generate_and_intersect(bench, w, scene, tile), dirs));
+        CHECK(same_bits(generated_rays(bench, w, scene, tile), dirs));
     }
     return dirs;
 }

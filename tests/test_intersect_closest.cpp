@@ -116,3 +116,31 @@ TEST_CASE("intersect_closest: ties between clusters, and ids that are not places
         }
     });
 }
+
+TEST_CASE("intersect_closest: what lights need of the hits is what all would have", "[intersect_closest]") {
+    on_every_bench([](Bench& bench) {
+        Scene scene = scene_of({{{0, 0, -20}, 1, {}}, {{3, 1, -30}, 2, {}}});
+        scene.camera.at = {0, 0, -1};
+        scene.image = {64, 48};
+        const Tile tile{0, 0, 8, 48};
+        const PencilSpheres spheres = seen_from_eye(bench, scene);
+        const Hits all = closest_of_pixels(bench, widths[0], scene, tile, spheres);
+        for (const Width& w : widths) {
+            const Hits some = closest_of_pixels(bench, w, scene, tile, spheres, true);
+            CHECK(some.ids == all.ids);
+            CHECK(some.counts == all.counts);
+            CHECK(same_bits(some.ts, sentinels<float>(some.ts.size())));
+            int wrong = 0, hits = 0;
+            for (size_t ray = 0; ray < all.ids.size(); ++ray) {
+                if (all.ids[ray] < 0) continue;
+                const Float3 p = unpacked(all.positions, ray), q = unpacked(some.positions, ray),
+                             n = unpacked(all.normals, ray), m = unpacked(some.normals, ray);
+                wrong += !(p.x == q.x && p.y == q.y && p.z == q.z && n.x == m.x && n.y == m.y && n.z == m.z);
+                ++hits;
+            }
+            CHECK(wrong == 0);
+            CHECK(hits > 10);
+            CHECK(hits < 1000);
+        }
+    });
+}

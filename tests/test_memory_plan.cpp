@@ -26,8 +26,9 @@ int64_t peak(const MemoryNeeds& needs, const MemoryPlan& plan) {
     s.columns = 4;
     s.has_ids = true;
     const int64_t n = plan.chunk_spheres, beside = plan.resident ? s.clusters(needs.spheres) : 0;
-    return plan.tile_rays * (bytes_per_ray(s.real_bytes, needs.arrivals) + bytes_per_albedo) + beside +
-           std::max(s.building(n), s.clusters(n) + s.view(n));
+    return plan.tile_rays *
+               (bytes_per_ray(s.real_bytes, needs.arrivals) + bytes_per_direction(s.real_bytes) + bytes_per_albedo) +
+           beside + std::max(s.building(n), s.clusters(n) + s.view(n));
 }
 
 }  // namespace
@@ -57,6 +58,9 @@ TEST_CASE("memory: what fits is not cut, and every buffer counts", "[memory]") {
     MemoryNeeds rests = needs;
     rests.sphere.has_rests = true;
     CHECK(plan_memory(rests, limits).peak_bytes == plan.peak_bytes + 16 * spheres);
+    MemoryNeeds rays = needs;
+    rays.generate_rays = true;
+    CHECK(plan_memory(rays, limits).peak_bytes == plan.peak_bytes + 2 * needs.tile_rays * 12);
     MemoryNeeds film = needs;
     film.film_bytes_per_ray = 12;
     film.other_bytes = 1000;

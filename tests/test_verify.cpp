@@ -104,8 +104,8 @@ TEST_CASE("verify: a wrong share of one light is found, with its light and its k
 
 TEST_CASE("verify: a missing shadow is told from wrong shading", "[verify]") {
     on_each([](const DeviceInfo& device) {
-        const Difference d =
-            found(device, "directional", DamagedKernels({{"shadow.h", "left[k] = share[k] > 0.0f;", "left[k] = 0;"}}));
+        const Difference d = found(device, "directional",
+                                   DamagedKernels({{"shadow.h", "group[k] = share[k] > 0.0f;", "group[k] = 0;"}}));
         CHECK(d.results == std::vector<std::string>{"radiance"});
         CHECK((contains(d.suspect, "shadow rays, light ") || contains(d.suspect, "intersect_shadow, light ")));
     });
