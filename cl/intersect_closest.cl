@@ -7,12 +7,14 @@
 // block and first_block of them before these, how many more of its rays hit. Where the spheres come in chunks (-D
 // CHUNKS=1) and this is not the first of them, what was written for those before is read, and stays where nothing is
 // closer. With -D CERTIFIED=1 it also sets the bits of the rays of which rounding may decide what they hit in undecided
-// (one a ray, from first_block's on), and keeps in doubts what is to be known of all others' hits (certify.h). One
-// work-item: PACKETS * LANES neighbouring rays of a block against the spheres that their fat ray may meet.
+// (one a ray, from first_block's on), and keeps in doubts what is to be known of all others' hits (certify.h); with -D
+// BOXES=1 the boxes around blocks' hits. One work-item: PACKETS * LANES neighbouring rays of a block against the
+// spheres that their fat ray may meet.
 #include "certain_hit.h"
 #include "closest_hit.h"
 #include "eye_pencil.h"
 #include "fat_ray.h"
+#include "hits_box.h"
 #include "ray_buffers.h"
 
 #define FAT FatRay
@@ -94,6 +96,9 @@ kernel void intersect_closest(
 #if HITS == HITS_ALL
     global real* restrict ts,
 #endif
+#if BOXES
+    global HitsBox* restrict boxes,
+#endif
     global int* restrict hit_counts,
 #if CERTIFIED
     global real* restrict doubts, global uint* restrict undecided,
@@ -165,6 +170,9 @@ kernel void intersect_closest(
         fat.distance = traversal.farthest;
 #endif
     }
+#if BOXES
+    LaneBoxes around = no_boxes();
+#endif
     wholew hits = 0;
 #if CERTIFIED
     ulong open = 0;
@@ -193,7 +201,14 @@ kernel void intersect_closest(
         }
 #endif
         store_hit(hit[k], dir[k], normal, out, item, k);
+#if BOXES
+        add_to_boxes(&around, scale_w(hit[k].t, dir[k]), hit[k].id >= 0);
+#endif
     }
+#if BOXES
+    boxes[item] = box_of(around);
+#endif
+
 #if CERTIFIED
     keep_doubts(farthest_off, most_curved, doubts, doubts_place(pass.first_block, item));
     leave_undecided(open, (Undecided){undecided, pass.first_block}, item);

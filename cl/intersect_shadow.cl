@@ -11,6 +11,9 @@
 kernel void intersect_shadow(global const real* restrict positions, global const real* restrict normals,
                              global const int* restrict ids, global const PencilCluster* restrict clusters,
                              global const Node* restrict nodes, global real* restrict arrivals,
+#if BOXES
+                             global const HitsBox* restrict boxes,
+#endif
 #if CERTIFIED
                              global const real* restrict doubts, global uint* undecided,
 #if DOUBT_RAYS > 1

@@ -6,6 +6,7 @@
 
 #include "certify.h"
 #include "cluster.h"
+#include "hits_box.h"
 #include "ieee.h"
 
 typedef ParallelPencil LightPencil;
@@ -82,6 +83,14 @@ INLINE FatShadowRay fat_shadow_ray(LightPencil light, int face, const ShadowRay*
     return (FatShadowRay){REDUCE(least, x0), REDUCE(most, x1), REDUCE(least, y0), REDUCE(most, y1),
                           REDUCE(least, back)};
 }
+
+#if BOXES
+INLINE int face_of_box(LightPencil light, HitsBox box) { return 0; }
+INLINE FatShadowRay fat_ray_to_box(LightPencil light, int face, HitsBox box) {
+    const Extent extent = extent_of(box, (Basis){light.u, light.v, light.axis});
+    return (FatShadowRay){extent.least.x, extent.most.x, extent.least.y, extent.most.y, extent.least.z};
+}
+#endif
 
 // Which spheres of a cluster may occlude one of the rays, as bits: see reach.h.
 INLINE int shadow_candidates(FatShadowRay fat, global const PencilCluster* c) {

@@ -5,6 +5,7 @@
 
 #include "certify.h"
 #include "fat_ray.h"
+#include "hits_box.h"
 #include "sphere.h"
 
 typedef PointPencil LightPencil;
@@ -67,6 +68,19 @@ INLINE wholew may_occlude(PencilSphere s, ShadowRay ray) {
 // All shadow rays of a work-item leave the light: see fat_ray.h.
 typedef FatRay FatShadowRay;
 
+// The face of the light whose axis is closest to a direction.
+INLINE int face_toward(LightPencil light, float x, float y, float z) {
+    int best = 0;
+    float most = -INFINITY;
+    for (int i = 0; i < light.faces; ++i) {
+        const Float3 axis = light.face[i].axis;
+        const float along = fma(axis.x, x, fma(axis.y, y, axis.z * z));
+        best = along > most ? i : best;
+        most = along > most ? along : most;
+    }
+    return best;
+}
+
 // The face of the light that most of the rays leave through.
 INLINE int face_of(LightPencil light, const ShadowRay* ray, const wholew* open) {
 #if WALK == WALK_SPHERES
@@ -81,16 +95,7 @@ INLINE int face_of(LightPencil light, const ShadowRay* ray, const wholew* open) 
         sum.y += choose(counts, dir.y, wide_float(0.0f));
         sum.z += choose(counts, dir.z, wide_float(0.0f));
     }
-    const float x = REDUCE(sum, sum.x), y = REDUCE(sum, sum.y), z = REDUCE(sum, sum.z);
-    int best = 0;
-    float most = -INFINITY;
-    for (int i = 0; i < light.faces; ++i) {
-        const Float3 axis = light.face[i].axis;
-        const float along = fma(axis.x, x, fma(axis.y, y, axis.z * z));
-        best = along > most ? i : best;
-        most = along > most ? along : most;
-    }
-    return best;
+    return face_toward(light, REDUCE(sum, sum.x), REDUCE(sum, sum.y), REDUCE(sum, sum.z));
 }
 
 INLINE FatShadowRay fat_shadow_ray(LightPencil light, int face, const ShadowRay* ray, const wholew* open) {
@@ -104,6 +109,30 @@ INLINE FatShadowRay fat_shadow_ray(LightPencil light, int face, const ShadowRay*
     fat.distance = REDUCE(most, farthest);
     return fat;
 }
+
+#if BOXES
+INLINE HitsBox box_from_light(LightPencil light, HitsBox box) {
+    const Float3 o = light.origin, l = box.least, m = box.most;
+    return (HitsBox){{l.x - o.x, l.y - o.y, l.z - o.z}, {m.x - o.x, m.y - o.y, m.z - o.z}};
+}
+// The face toward the middle of the box.
+INLINE int face_of_box(LightPencil light, HitsBox box) {
+    if (light.faces == 1) return 0;
+    const HitsBox b = box_from_light(light, box);
+    return face_toward(light, b.least.x + b.most.x, b.least.y + b.most.y, b.least.z + b.most.z);
+}
+// Where not all of the box is on the axis's side the rectangle is the whole plane.
+INLINE FatShadowRay fat_ray_to_box(LightPencil light, int face, HitsBox box) {
+    const Extent extent = extent_of(box_from_light(light, box), light.face[face]);
+    if (!(extent.least.z > 0.0f)) return fat_ray_between(-INFINITY, INFINITY, -INFINITY, INFINITY, light.face[face]);
+    const float4 sides = (float4)(extent.least.x, extent.most.x, extent.least.y, extent.most.y),
+                 near = sides / extent.least.z, far = sides / extent.most.z;
+    const float4 least = near < far ? near : far, most = near < far ? far : near;
+    FatRay fat = fat_ray_between(least.x, most.y, least.z, most.w, light.face[face]);
+    fat.distance = extent.most.z;  // along the axis, which is how far what may be in between begins
+    return fat;
+}
+#endif
 
 INLINE int shadow_candidates(FatShadowRay fat, global const PencilCluster* c) { return candidates(fat, c); }
 // Certified pictures say more exactly, sphere by sphere, what is too far (point_doubt.h).

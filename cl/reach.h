@@ -18,6 +18,10 @@
 // |f| < r hold the apex; seen from there nothing is farther than 2 r, and the same holds with r for |f|.
 // In a parallel pencil occludes() accepts rays that pass at most 8 u max(|c|, r) outside, and the sums round once.
 //
+// A light's rays may be bounded by the box around a block's hits instead (hits_box.h). Its coordinates in a basis hold
+// those of all hits with the roundings that these have, 3 each, and X has one quotient more: fewer than the 11 of a
+// ray.
+//
 // A ball around a cluster (flat_clusters.cpp), of centre F and radius R, is passed over in the same way, and with it
 // the spheres inside, whose max(|f|, r) is at most |F| + R. It is larger by 2^-14 R, 1024 u R, than they need: with the
 // 128 u |F| of its own reach these are as clear of the rays as if they had been tested themselves.

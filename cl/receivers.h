@@ -15,17 +15,25 @@
 typedef struct {
     global const real *positions, *normals;
     global const int* ids;
+#if BOXES
+    global const HitsBox* boxes;
+#endif
 #if CERTIFIED && DOUBT_RAYS > 1
     global const real* position_doubts;
 #endif
 } Hits;
-#if CERTIFIED && DOUBT_RAYS > 1
-#define HITS_READ \
-    { positions, normals, ids, position_doubts }
+#if BOXES
+#define BOXES_READ .boxes = boxes,
 #else
-#define HITS_READ \
-    { positions, normals, ids }
+#define BOXES_READ
 #endif
+#if CERTIFIED && DOUBT_RAYS > 1
+#define DOUBTS_READ .position_doubts = position_doubts,
+#else
+#define DOUBTS_READ
+#endif
+#define HITS_READ \
+    { .positions = positions, .normals = normals, .ids = ids, BOXES_READ DOUBTS_READ }
 
 // What arrives of each of the lights that a launch of shade_light adds, one after the other.
 INLINE global real* arrival_of(global real* arrivals, Pass pass, int light) {

@@ -26,6 +26,9 @@ kernel void shade_light(global const real* restrict positions, global const real
 #if RESOLVES
                         global int* plane0, global int* plane1, global int* plane2,
 #endif
+#if BOXES
+                        global const HitsBox* restrict boxes,
+#endif
 #if CERTIFIED
                         global const real* restrict doubts, global uint* undecided,
 #if DOUBT_RAYS > 1

@@ -48,10 +48,15 @@ INLINE int occlude(PencilSphere s, const ShadowRay* ray, const wholew* id, realw
 }
 
 // Traces a group's rays as one fat ray. What occludes others of the work-item on its way may close them too.
-INLINE void trace_group(Hierarchy hierarchy, LightPencil light, const ShadowRay* ray, const wholew* id,
-                        const wholew* group, realw* share) {
+INLINE void trace_group(Hits hits, Hierarchy hierarchy, LightPencil light, const ShadowRay* ray, int item,
+                        const wholew* id, const wholew* group, realw* share) {
+#if BOXES
+    const int face = face_of_box(light, hits.boxes[item]);
+    const FatShadowRay fat = fat_ray_to_box(light, face, hits.boxes[item]);
+#else
     const int face = face_of(light, ray, group);
     const FatShadowRay fat = fat_shadow_ray(light, face, ray, group);
+#endif
     hierarchy.nodes += face * (hierarchy.last + 1);  // each face has its own
     Traversal traversal = begin(hierarchy, fat);
     for (int c; (c = next_cluster(hierarchy, &traversal, fat)) >= 0;)
@@ -97,7 +102,7 @@ INLINE void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil light, con
 #if CERTIFIED
         trace_certainly(hits, hierarchy, light, ray, certainty, item, id, group, share);
 #else
-        trace_group(hierarchy, light, ray, id, group, share);
+        trace_group(hits, hierarchy, light, ray, item, id, group, share);
 #endif
     }
 }

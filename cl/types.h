@@ -101,6 +101,11 @@ typedef struct {
     Float3 u, v, axis;
 } Basis;
 
+// Around the positions of a block's hits; without any, least > most.
+typedef struct {
+    Float3 least, most;
+} HitsBox;
+
 // A point to a real's precision twice over: hi + lo.
 STRUCT_OF_REALS(Apex) { OF_REALS(Real3) hi, lo; };
 

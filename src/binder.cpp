@@ -48,6 +48,7 @@ void Binder::bind(cl::Kernel& kernel, const TileLaunch& launch) const {
                 .add_if(plan_.generate_rays, b.dirs)
                 .add(launch.spheres->clusters, launch.spheres->nodes, b.positions, b.normals, b.ids)
                 .add_if(plan_.all_hits, b.ts)
+                .add_if(plan_.boxes, b.boxes)
                 .add(hit_counts_)
                 .add_if(plan_.certified, undecided_.doubts(), undecided_.words())
                 .add_if(plan_.keeps_doubts(), b.position_doubts)
@@ -56,6 +57,7 @@ void Binder::bind(cl::Kernel& kernel, const TileLaunch& launch) const {
         case Kernel::intersect_shadow:
             Arguments(kernel)
                 .add(b.positions, b.normals, b.ids, launch.spheres->clusters, launch.spheres->nodes, b.arrivals)
+                .add_if(plan_.boxes, b.boxes)
                 .add_if(plan_.certified, undecided_.doubts(), undecided_.words())
                 .add_if(plan_.keeps_doubts(), b.position_doubts)
                 .add(light(launch).pencil, pass(launch));
@@ -79,7 +81,8 @@ void Binder::bind_shade_light(cl::Kernel& kernel, const TileLaunch& launch) cons
         .add(launch.spheres->clusters, launch.spheres->nodes)
         .add(albedos(launch).values, b.radiance);
     if (!plan_.resolve_radiance) arguments.add(plane(launch, 0), plane(launch, 1), plane(launch, 2));
-    arguments.add_if(plan_.certified, undecided_.doubts(), undecided_.words())
+    arguments.add_if(plan_.boxes, b.boxes)
+        .add_if(plan_.certified, undecided_.doubts(), undecided_.words())
         .add_if(plan_.keeps_doubts(), b.position_doubts)
         .add(light(launch).pencil, pass(launch), shading(launch));
 }

@@ -38,6 +38,7 @@ class Chain {
             defines.push_back("CERTIFIED=1");
             defines.push_back("DOUBT_RAYS=" + std::to_string(plan_.doubt_rays));
         }
+        if (plan_.boxes) defines.push_back("BOXES=1");
         if (step.kernel == Kernel::intersect_closest) {
             defines.push_back(plan_.generate_rays ? "RAYS=RAYS_READ" : "RAYS=RAYS_GENERATED");
             defines.push_back(plan_.all_hits ? "HITS=HITS_ALL" : "HITS=HITS_FOR_LIGHTS");
@@ -122,6 +123,8 @@ void add_steps(Plan& plan, const Scene& scene, const RenderOptions& options) {
     const Outputs& wanted = options.outputs;
     const bool shaded = wanted.radiance && std::any_of(scene.lights.begin(), scene.lights.end(), shines);
     if (plan.spheres == 0 || !(shaded || wanted.distance || wanted.normal || wanted.id)) return;
+    plan.boxes = shaded && plan.shadows == Shadows::traced && plan.walk() == "WALK_CLUSTERS" &&
+                 plan.rays_per_item() == BLOCK_RAYS && !computes_in_double(plan.accuracy);
     Chain chain(plan);
     if (plan.generate_rays) chain.add_lanes({Kernel::generate_rays, 0}, {});
     chain.add_tracing({Kernel::intersect_closest, 0}, {});
@@ -138,6 +141,7 @@ void add_steps(Plan& plan, const Scene& scene, const RenderOptions& options) {
 }
 
 void add_refinement_steps(Plan& plan, const Scene& scene, bool shaded) {
+    plan.boxes = false;  // of single rays
     Chain chain(plan);
     chain.add({Kernel::refine_rays, 0}, {"LANES=1", "PACKETS=1"}, plan.accuracy);
     chain.add_tracing({Kernel::intersect_closest, 0}, {});

@@ -93,6 +93,7 @@ struct Plan {
     Shadows shadows = Shadows::off;
     bool generate_rays = true;      ///< in a launch of its own, not in intersect_closest's
     bool all_hits = true;           ///< t, and misses, are kept, not just what lights need
+    bool boxes = false;             ///< around blocks' hits, for the lights' rays
     bool resolve_radiance = true;   ///< in a launch of its own, not in the last light's
     bool stream = true;             ///< the film is written past the caches
     bool write_in_place = true;     ///< the film's planes are the device's buffers

@@ -70,6 +70,17 @@ HitsOf<real> closest(Bench& bench, const Scene& scene, const std::vector<Real3Of
     return hits;
 }
 
+/// Blocks without hits may have any.
+inline void check_boxes(const std::vector<HitsBox>& boxes, const Hits& hits) {
+    const std::vector<HitsBox> expected = boxes_around(hits.positions, hits.ids);
+    const auto same = [](const Float3& a, const Float3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+    int wrong = 0;
+    for (size_t i = 0; i < boxes.size(); ++i)
+        if (expected[i].least.x <= expected[i].most.x)
+            wrong += !(same(boxes[i].least, expected[i].least) && same(boxes[i].most, expected[i].most));
+    CHECK(wrong == 0);
+}
+
 /// Of the pixels of a tile, with the rays that intersect_closest generates itself. For lights alone ts stays as it was.
 inline Hits closest_of_pixels(Bench& bench, Width w, const Scene& scene, const Tile& tile, const PencilSpheres& spheres,
                               bool for_lights = false) {
@@ -80,18 +91,23 @@ inline Hits closest_of_pixels(Bench& bench, Width w, const Scene& scene, const T
     const GuardedBuffer<float> positions(bench, 3 * rays), ts(bench, rays), normals(bench, 3 * rays);
     const GuardedBuffer<int> ids(bench, rays);
     const GuardedBuffer<int> counts(bench, std::vector<int>(static_cast<size_t>(tile.blocks)));
+    const bool has = has_boxes(w, spheres.walk);
+    const GuardedBuffer<HitsBox> boxes(bench, static_cast<size_t>(tile.blocks));
     const Variant variant{Kernel::intersect_closest,
                           w.defines({"WALK=" + spheres.walk, "CHUNKS=0", "RAYS=RAYS_GENERATED",
-                                     for_lights ? "HITS=HITS_FOR_LIGHTS" : "HITS=HITS_ALL"})};
+                                     for_lights ? "HITS=HITS_FOR_LIGHTS" : "HITS=HITS_ALL", define_boxes(has)})};
     cl::Kernel kernel = bench.programs.get(variant).kernel;
     Arguments(kernel)
         .add(in.clusters.buffer(), in.nodes.buffer(), positions.buffer(), normals.buffer(), ids.buffer())
         .add_if(!for_lights, ts.buffer())
+        .add_if(has, boxes.buffer())
         .add(counts.buffer(), eye_pencil(scene.camera, scene.image), eye_basis(scene.camera),
              Pass{tile, items, 0, spheres.levels, spheres.last, 1, 0, 0, 0}, cl_int(0));
     bench.launch_bound(kernel, items);
     in.check_unchanged();
-    return {ts.read(), normals.read(), positions.read(), ids.read(), counts.read()};
+    const Hits hits{ts.read(), normals.read(), positions.read(), ids.read(), counts.read()};
+    if (has) check_boxes(boxes.read(), hits);
+    return hits;
 }
 
 /// The rays that intersect_closest generates, as the positions tell where the eye is the middle of a ball: t is 1 but

@@ -209,4 +209,23 @@ class Random {
     std::mt19937_64 engine_;
 };
 
+/// Whether lights' rays are bounded by the box around a block's hits, as a plan would have it.
+inline bool has_boxes(Width w, const std::string& walk) { return walk == "WALK_CLUSTERS" && w.rays() == BLOCK_RAYS; }
+
+inline std::string define_boxes(bool has) { return has ? "BOXES=1" : "BOXES=0"; }
+
+/// The boxes around the hits of blocks, from packed positions.
+inline std::vector<HitsBox> boxes_around(const std::vector<float>& positions, const std::vector<int>& ids) {
+    constexpr Float3 least{INFINITY, INFINITY, INFINITY}, most{-INFINITY, -INFINITY, -INFINITY};
+    std::vector<HitsBox> boxes((ids.size() + BLOCK_RAYS - 1) / BLOCK_RAYS, HitsBox{least, most});
+    for (size_t ray = 0; ray < ids.size(); ++ray) {
+        if (ids[ray] < 0) continue;
+        const Float3 p = unpacked(positions, ray);
+        HitsBox& box = boxes[ray / BLOCK_RAYS];
+        box.least = {std::min(box.least.x, p.x), std::min(box.least.y, p.y), std::min(box.least.z, p.z)};
+        box.most = {std::max(box.most.x, p.x), std::max(box.most.y, p.y), std::max(box.most.z, p.z)};
+    }
+    return boxes;
+}
+
 }  // namespace gnomon::test

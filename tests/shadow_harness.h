@@ -77,17 +77,20 @@ inline LightSetup brute(LightSetup light) {
 struct HitBuffers {
     GuardedBuffer<float> positions, normals;
     GuardedBuffer<int> ids;
+    GuardedBuffer<HitsBox> boxes;
     GuardedSpheres<float> spheres;
 
     HitBuffers(Bench& bench, const Receivers& hits, const LightSetup& light)
         : positions(bench, packed(hits.positions())),
           normals(bench, packed(hits.normals)),
           ids(bench, hits.ids),
+          boxes(bench, boxes_around(packed(hits.positions()), hits.ids)),
           spheres(bench, light.spheres) {}
     void check_unchanged() const {
         positions.check_unchanged();
         normals.check_unchanged();
         ids.check_unchanged();
+        boxes.check_unchanged();
         spheres.check_unchanged();
     }
 };
@@ -98,17 +101,17 @@ inline std::vector<float> arrival(Bench& bench, Width w, const Receivers& hits, 
     const HitBuffers in(bench, hits, light);
     const GuardedBuffer<float> result(bench, hits.size());
     const int items = static_cast<int>(hits.size()) / w.rays();
-    const cl::Kernel kernel =
-        bench.programs
-            .get({Kernel::intersect_shadow, w.defines({light.define, "WALK=" + light.spheres.walk, "CHUNKS=0"})})
-            .kernel;
-    std::visit(
-        [&](const auto& pencil) {
-            bench.launch(kernel, items, in.positions.buffer(), in.normals.buffer(), in.ids.buffer(),
-                         in.spheres.clusters.buffer(), in.spheres.nodes.buffer(), result.buffer(), pencil,
-                         Pass{{}, items, 0, light.spheres.levels, light.spheres.last, 1, 0, light.group_depth, 0});
-        },
-        light.pencil);
+    const bool boxes = has_boxes(w, light.spheres.walk);
+    const Variant variant{Kernel::intersect_shadow,
+                          w.defines({light.define, "WALK=" + light.spheres.walk, "CHUNKS=0", define_boxes(boxes)})};
+    cl::Kernel kernel = bench.programs.get(variant).kernel;
+    Arguments(kernel)
+        .add(in.positions.buffer(), in.normals.buffer(), in.ids.buffer(), in.spheres.clusters.buffer(),
+             in.spheres.nodes.buffer(), result.buffer())
+        .add_if(boxes, in.boxes.buffer())
+        .add(light.pencil, Pass{{}, items, 0, light.spheres.levels, light.spheres.last, 1, 0, light.group_depth, 0},
+             cl_int(0));
+    bench.launch_bound(kernel, items);
     in.check_unchanged();
     return result.read();
 }
@@ -165,10 +168,12 @@ inline std::vector<float> shade(Bench& bench, Width w, const Scene& scene, const
     const size_t pixels = std::max<size_t>(1, static_cast<size_t>(shading.image.width * shading.image.height));
     const GuardedBuffer<float> planes[] = {{bench, pixels}, {bench, pixels}, {bench, pixels}};
     const auto blocks = static_cast<int>(hits.size() / BLOCK_RAYS);
-    const Variant variant{Kernel::shade_light, w.defines({light.define, "SHADOWS=" + shading.shadows,
-                                                          "LIGHTS=" + std::to_string(shading.phis_before.size() + 1),
-                                                          "WALK=" + light.spheres.walk, "ALBEDOS_OF_RAYS=0",
-                                                          resolved ? "RESOLVES=1" : "RESOLVES=0", "STREAM=1"})};
+    const bool boxes = shading.shadows == "SHADOWS_TRACED" && has_boxes(w, light.spheres.walk);
+    const Variant variant{
+        Kernel::shade_light,
+        w.defines({light.define, "SHADOWS=" + shading.shadows,
+                   "LIGHTS=" + std::to_string(shading.phis_before.size() + 1), "WALK=" + light.spheres.walk,
+                   "ALBEDOS_OF_RAYS=0", define_boxes(boxes), resolved ? "RESOLVES=1" : "RESOLVES=0", "STREAM=1"})};
     const Pass pass{tile.blocks > 0 ? tile : Tile{0, 0, blocks, blocks},
                     items,
                     0,
@@ -184,6 +189,7 @@ inline std::vector<float> shade(Bench& bench, Width w, const Scene& scene, const
         .add_if(shading.shadows != "SHADOWS_OFF", arriving.buffer())
         .add(in.spheres.clusters.buffer(), in.spheres.nodes.buffer(), albedos.buffer(), radiance.buffer())
         .add_if(resolved != nullptr, planes[0].buffer(), planes[1].buffer(), planes[2].buffer())
+        .add_if(boxes, in.boxes.buffer())
         .add(light.pencil, pass, shading_of(shading, light), cl_int(0));
     bench.launch_bound(kernel, items);
     in.check_unchanged();
