@@ -105,4 +105,16 @@ INLINE realw reaches(Hit hit) { return hit.t; }
 
 #endif
 
+// With 1 / |position - centre|, at hits.
+INLINE vec3w outward_normal(Hit hit, vec3w dir, realw* inverse) {
+    *inverse = wide(0.0f);
+    const vec3w infinite = broadcast((Real3){INFINITY, INFINITY, INFINITY});
+    const wholew hits = hit.id >= 0;
+    // One lane alone has nothing to skip, and LLVM in PoCL 6 would abort ("did not reach a fixpoint").
+    if (LANES > 1 && !any_lane(hits)) return infinite;
+    const vec3w out = fma_w(hit.t, dir, (vec3w){-hit.center.x, -hit.center.y, -hit.center.z});
+    *inverse = divide(wide(1.0f), square_root(dot_w(out, out)));
+    return select_w(hits, scale_w(*inverse, out), infinite);
+}
+
 #endif

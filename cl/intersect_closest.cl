@@ -15,37 +15,12 @@
 #include "eye_pencil.h"
 #include "fat_ray.h"
 #include "hits_box.h"
-#include "ray_buffers.h"
+#include "hits_out.h"
 
 #define FAT FatRay
 #define NODE_CANDIDATES node_candidates
 #define BALL_CANDIDATES candidates
 #include "hierarchy.h"
-
-// What is written of the hits.
-typedef struct {
-    global real *positions, *normals;
-    global int* ids;
-#if HITS == HITS_ALL
-    global real* ts;
-#endif
-} HitsOut;
-
-INLINE void store_hit(Hit hit, vec3w dir, vec3w normal, HitsOut out, int item, int k) {
-    store_i(hit.id, out.ids, item, k);
-#if HITS == HITS_ALL
-    store_r(hit.t, out.ts, item, k);
-#else
-    if (LANES > 1 && !any_lane(hit.id >= 0)) return;
-#endif
-    store_3(scale_w(hit.t, dir), out.positions, item, k);
-    store_3(normal, out.normals, item, k);
-}
-
-INLINE void store_misses(HitsOut out, int item) {
-    const vec3w infinite = broadcast((Real3){INFINITY, INFINITY, INFINITY});
-    FOR_PACKETS(k) store_hit(no_hit(), infinite, infinite, out, item, k);
-}
 
 // The next cluster with spheres that the fat ray may meet, and these as bits; -1 after the last.
 INLINE int next_candidates(Hierarchy hierarchy, Traversal* traversal, FatRay fat, int* spheres) {
@@ -62,29 +37,6 @@ INLINE float farthest_hit(const Hit* hit, const wholew* valid) {
     floatw farthest = wide_float(0.0f);
     FOR_PACKETS(k) farthest = MORE_WHERE(ints_of(valid[k]), floats_of(reaches(hit[k])), farthest);
     return REDUCE(most, farthest);
-}
-
-// With 1 / |position - centre|, at hits.
-INLINE vec3w outward_normal(Hit hit, vec3w dir, realw* inverse) {
-    *inverse = wide(0.0f);
-    const vec3w infinite = broadcast((Real3){INFINITY, INFINITY, INFINITY});
-    const wholew hits = hit.id >= 0;
-    // One lane alone has nothing to skip, and LLVM in PoCL 6 would abort ("did not reach a fixpoint").
-    if (LANES > 1 && !any_lane(hits)) return infinite;
-    const vec3w out = fma_w(hit.t, dir, (vec3w){-hit.center.x, -hit.center.y, -hit.center.z});
-    *inverse = divide(wide(1.0f), square_root(dot_w(out, out)));
-    return select_w(hits, scale_w(*inverse, out), infinite);
-}
-
-// Adds to the block's count. Where nobody else does, not at once: an atomic waits until all that was stored before it
-// has reached the cache, a tenth of this kernel's time.
-INLINE void count_hits(global int* counts, int item, int more) {
-    global int* count = counts + (uint)item * (LANES * PACKETS) / BLOCK_RAYS;
-#if LANES * PACKETS == BLOCK_RAYS
-    *count += more;
-#else
-    atomic_add(count, more);
-#endif
 }
 
 kernel void intersect_closest(
@@ -111,11 +63,7 @@ kernel void intersect_closest(
     if (item >= pass.items) return;
     const Hierarchy hierarchy = {clusters, nodes, pass.levels, pass.last};
     const real base = pass.base_doubt;
-#if HITS == HITS_ALL
-    const HitsOut out = {positions, normals, ids, ts};
-#else
-    const HitsOut out = {positions, normals, ids};
-#endif
+    const HitsOut out = HITS_OUT;
     vec3w dir[PACKETS];
     Hit hit[PACKETS];
     Bounds bounds;
