@@ -9,16 +9,17 @@ namespace {
 // As a share of the bound, the seconds of work that the host is ahead of the device: the more, the later a change of
 // pace is noticed. A host that wakes up takes a core from a device that is the CPU.
 constexpr double ahead = 0.5;
-// Work-items of which a launch is not cut just to have parts: blocks of rays, or slices of a sort, that take 10 us or
-// more, as a launch does.
-constexpr int64_t few_items = 64;
+// Work-groups of which a launch is not cut just to have parts: of blocks of rays, or each a slice of a sort, that take
+// 10 us or more, as a launch does. With fewer slices a launch, sorting 10^8 spheres takes longer.
+constexpr int64_t few_groups = 4;
 // So that memory for events stays bounded.
 constexpr size_t most_under_way = 1024;
 
 }  // namespace
 
 int64_t Work::most() const {
-    return parts == 1 ? items : (std::max(items / parts, few_items) + least() - 1) / least() * least();
+    const int64_t few = std::max<int64_t>(items / parts, few_groups * local);
+    return parts == 1 ? items : (few + least() - 1) / least() * least();
 }
 
 double seconds_of(const cl::Event& event) {

@@ -25,7 +25,7 @@ struct Work {
     int64_t items = 0;
     int local = 1;
     int units = 1;  ///< compute units of the queue's device: fewer groups in a launch would leave some idle
-    /// At least so many launches, where work-items are not few: for those of which some take many times as long as
+    /// At least so many launches, where work-groups are not few: for those of which some take many times as long as
     /// others.
     int parts = 1;
 
