@@ -137,13 +137,8 @@ INLINE void trace_certain_group(Hierarchy hierarchy, FatShadowRay fat, RayDoubt 
 // Takes from the hits of a group what is certainly occluded; leaves undecided what is open.
 INLINE void trace_certainly(Hits hits, Hierarchy hierarchy, LightPencil light, const ShadowRay* ray,
                             Certainty certainty, int item, const wholew* id, const wholew* group, realw* share) {
-#if BOXES
-    const int face = face_of_box(light, hits.boxes[item]);
-    const FatShadowRay plain = fat_ray_to_box(light, face, hits.boxes[item]);
-#else
-    const int face = face_of(light, ray, group);
-    const FatShadowRay plain = fat_shadow_ray(light, face, ray, group);
-#endif
+    int face;
+    const FatShadowRay plain = fat_ray_of_group(hits, light, ray, group, item, &face);
     const RayDoubt most = ray_doubt(certainty.doubt, ray, group);
     const FatShadowRay fat = widened(plain, light, face, most);
     hierarchy.nodes += face * (hierarchy.last + 1);  // each face has its own

@@ -139,6 +139,9 @@ typedef struct {
 // A mask of packet k as bits of its work-item.
 INLINE ulong bits_of_packet(wholew which, int k) { return (ulong)(uint)lane_bits(ints_of(which)) << (k * LANES); }
 
+// Where hits share doubts, each keeps how far its own position may be off, too.
+#define OWN_DOUBTS (CERTIFIED && DOUBT_RAYS > 1)
+
 #if CERTIFIED
 // What lights must know of hits that are not undecided, of DOUBT_RAYS neighbouring rays together (those of a block, or
 // each ray alone, so that it does not depend on LANES): how far the position of any may be off, and the most curved

@@ -20,14 +20,14 @@ typedef struct {
     { positions, normals, ids }
 #endif
 
-INLINE void store_hit(Hit hit, vec3w dir, vec3w normal, HitsOut out, int item, int k) {
+INLINE void store_hit(Hit hit, vec3w position, vec3w normal, HitsOut out, int item, int k) {
     store_i(hit.id, out.ids, item, k);
 #if HITS == HITS_ALL
     store_r(hit.t, out.ts, item, k);
 #else
     if (LANES > 1 && !any_lane(hit.id >= 0)) return;
 #endif
-    store_3(scale_w(hit.t, dir), out.positions, item, k);
+    store_3(position, out.positions, item, k);
     store_3(normal, out.normals, item, k);
 }
 

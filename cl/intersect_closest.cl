@@ -54,9 +54,9 @@ kernel void intersect_closest(
     global int* restrict hit_counts,
 #if CERTIFIED
     global real* restrict doubts, global uint* restrict undecided,
-#if DOUBT_RAYS > 1
-    global real* restrict position_doubts,
 #endif
+#if OWN_DOUBTS
+    global real* restrict position_doubts,
 #endif
     const EyePencil eye, const Basis basis, const Pass pass, const int first_item) {
     const int item = first_item + (int)get_global_id(0);
@@ -134,7 +134,7 @@ kernel void intersect_closest(
         const realw off = position_doubt(hit[k].t, dir[k], normal, bounds.steep, base);
         const wholew certain = is_certain(hit_any, hit[k], bounds.other[k], off);
         open |= bits_of_packet(valid[k] & !certain, k);
-#if DOUBT_RAYS > 1
+#if OWN_DOUBTS
         store_r(off, position_doubts, item, k);
 #endif
         farthest_off = MORE_WHERE(hit_any & certain, off, farthest_off);
@@ -148,9 +148,10 @@ kernel void intersect_closest(
             hits -= choose(before >= 0, (wholew)(1), (wholew)(0));
         }
 #endif
-        store_hit(hit[k], dir[k], normal, out, item, k);
+        const vec3w position = scale_w(hit[k].t, dir[k]);
+        store_hit(hit[k], position, normal, out, item, k);
 #if BOXES
-        add_to_boxes(&around, scale_w(hit[k].t, dir[k]), hit[k].id >= 0);
+        add_to_boxes(&around, position, hit[k].id >= 0);
 #endif
     }
 #if BOXES

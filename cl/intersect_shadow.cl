@@ -16,9 +16,9 @@ kernel void intersect_shadow(global const real* restrict positions, global const
 #endif
 #if CERTIFIED
                              global const real* restrict doubts, global uint* undecided,
-#if DOUBT_RAYS > 1
-                             global const real* restrict position_doubts,
 #endif
+#if OWN_DOUBTS
+                             global const real* restrict position_doubts,
 #endif
                              const LightPencil light, const Pass pass, const int first_item) {
     const int item = first_item + (int)get_global_id(0);

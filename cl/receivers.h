@@ -18,7 +18,7 @@ typedef struct {
 #if BOXES
     global const HitsBox* boxes;
 #endif
-#if CERTIFIED && DOUBT_RAYS > 1
+#if OWN_DOUBTS
     global const real* position_doubts;
 #endif
 } Hits;
@@ -27,7 +27,7 @@ typedef struct {
 #else
 #define BOXES_READ
 #endif
-#if CERTIFIED && DOUBT_RAYS > 1
+#if OWN_DOUBTS
 #define DOUBTS_READ .position_doubts = position_doubts,
 #else
 #define DOUBTS_READ
@@ -49,6 +49,19 @@ INLINE realw unshadowed(Hits hits, LightPencil light, ShadowRay ray, int item, i
     const realw share = arriving(light, ray, position_of(hits, item, k), load_3(hits.normals, item, k));
     const wholew lit = hit & (share > 0.0f);
     return choose(lit, share, wide(0.0f));
+}
+
+// A group's rays as one, from the face of the light that they leave through.
+INLINE FatShadowRay fat_ray_of_group(Hits hits, LightPencil light, const ShadowRay* ray, const wholew* group, int item,
+                                     int* face) {
+#if BOXES
+    const HitsBox box = hits.boxes[item];
+    *face = face_of_box(light, box);
+    return fat_ray_to_box(light, *face, box);
+#else
+    *face = face_of(light, ray, group);
+    return fat_shadow_ray(light, *face, ray, group);
+#endif
 }
 
 INLINE int any_open(const wholew* open) {

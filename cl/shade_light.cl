@@ -31,9 +31,9 @@ kernel void shade_light(global const real* restrict positions, global const real
 #endif
 #if CERTIFIED
                         global const real* restrict doubts, global uint* undecided,
-#if DOUBT_RAYS > 1
-                        global const real* restrict position_doubts,
 #endif
+#if OWN_DOUBTS
+                        global const real* restrict position_doubts,
 #endif
                         const LightPencil light, const Pass pass, const Shading shading, const int first_item) {
     const int place = first_item + (int)get_global_id(0);

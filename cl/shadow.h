@@ -50,13 +50,8 @@ INLINE int occlude(PencilSphere s, const ShadowRay* ray, const wholew* id, realw
 // Traces a group's rays as one fat ray. What occludes others of the work-item on its way may close them too.
 INLINE void trace_group(Hits hits, Hierarchy hierarchy, LightPencil light, const ShadowRay* ray, int item,
                         const wholew* id, const wholew* group, realw* share) {
-#if BOXES
-    const int face = face_of_box(light, hits.boxes[item]);
-    const FatShadowRay fat = fat_ray_to_box(light, face, hits.boxes[item]);
-#else
-    const int face = face_of(light, ray, group);
-    const FatShadowRay fat = fat_shadow_ray(light, face, ray, group);
-#endif
+    int face;
+    const FatShadowRay fat = fat_ray_of_group(hits, light, ray, group, item, &face);
     hierarchy.nodes += face * (hierarchy.last + 1);  // each face has its own
     Traversal traversal = begin(hierarchy, fat);
     for (int c; (c = next_cluster(hierarchy, &traversal, fat)) >= 0;)

@@ -101,7 +101,7 @@ typedef struct {
     Float3 u, v, axis;
 } Basis;
 
-// Around the positions of a block's hits; without any, least > most.
+// Around the positions of a block's hits, if it has any.
 typedef struct {
     Float3 least, most;
 } HitsBox;

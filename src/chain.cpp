@@ -141,7 +141,6 @@ void add_steps(Plan& plan, const Scene& scene, const RenderOptions& options) {
 }
 
 void add_refinement_steps(Plan& plan, const Scene& scene, bool shaded) {
-    plan.boxes = false;  // of single rays
     Chain chain(plan);
     chain.add({Kernel::refine_rays, 0}, {"LANES=1", "PACKETS=1"}, plan.accuracy);
     chain.add_tracing({Kernel::intersect_closest, 0}, {});

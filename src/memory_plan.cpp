@@ -28,10 +28,10 @@ int64_t largest(int64_t high, Allowed allowed) {
 
 /// Of all its buffers, without an albedo, and of the largest.
 int64_t bytes_per_whole_ray(const MemoryNeeds& n) {
-    const int64_t direction = n.generate_rays ? bytes_per_direction(n.sphere.real_bytes) : 0;
+    const int64_t direction = n.generate_rays ? bytes_per_vector(n.sphere.real_bytes) : 0;
     return bytes_per_ray(n.sphere.real_bytes, n.arrivals) + direction + n.film_bytes_per_ray;
 }
-int64_t bytes_per_position(const MemoryNeeds& n) { return int64_t{3} * n.sphere.real_bytes; }
+int64_t bytes_per_position(const MemoryNeeds& n) { return bytes_per_vector(n.sphere.real_bytes); }
 
 std::string mebibytes(int64_t bytes) { return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB"; }
 

@@ -45,7 +45,7 @@ struct MemoryPlan {
 constexpr int64_t bytes_per_ray(int64_t real_bytes, int64_t arrivals) {
     return (3 + 3 + 3 + 1 + arrivals) * real_bytes + 4;
 }
-constexpr int64_t bytes_per_direction(int64_t real_bytes) { return 3 * real_bytes; }
+constexpr int64_t bytes_per_vector(int64_t real_bytes) { return 3 * real_bytes; }
 constexpr int64_t bytes_per_albedo = 12;
 
 /// Throws Error(Blame::run) when not even small chunks fit.

@@ -54,7 +54,7 @@ int64_t certifying_bytes(const MemoryNeeds& needs) {
     constexpr int64_t bit = 1, place = 4;
     const auto alone = [&](int real) {
         return int64_t{refinement_batch} *
-               (bytes_per_ray(real, needs.arrivals) + bytes_per_direction(real) + 2 * real + bit + place);
+               (bytes_per_ray(real, needs.arrivals) + bytes_per_vector(real) + 2 * real + bit + place);
     };
     const int64_t doubts = needs.image_rays / BLOCK_RAYS * 2 * 4;
     const int64_t own_doubts = needs.tiles_under_way * needs.tile_rays * needs.sphere.real_bytes;
@@ -229,7 +229,7 @@ Plan make_refinement_plan(const Plan& plan, const Scene& scene, Accuracy accurac
     refined.packets = 1;
     refined.doubt_rays = 1;
     refined.generate_rays = refined.all_hits = refined.resolve_radiance = true;
-    refined.write_in_place = refined.stream = false;
+    refined.write_in_place = refined.stream = refined.boxes = false;
     const int blocks = refinement_batch / BLOCK_RAYS;
     use({{{0, 0, blocks, blocks}}, 1, 1}, refined);
     refined.steps.clear();

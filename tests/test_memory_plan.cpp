@@ -27,7 +27,7 @@ int64_t peak(const MemoryNeeds& needs, const MemoryPlan& plan) {
     s.has_ids = true;
     const int64_t n = plan.chunk_spheres, beside = plan.resident ? s.clusters(needs.spheres) : 0;
     return plan.tile_rays *
-               (bytes_per_ray(s.real_bytes, needs.arrivals) + bytes_per_direction(s.real_bytes) + bytes_per_albedo) +
+               (bytes_per_ray(s.real_bytes, needs.arrivals) + bytes_per_vector(s.real_bytes) + bytes_per_albedo) +
            beside + std::max(s.building(n), s.clusters(n) + s.view(n));
 }
 
