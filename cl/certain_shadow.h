@@ -23,10 +23,11 @@ INLINE LightDoubt doubt_at(LightPencil light, real position, real curvature, rea
     return light_doubt(light, position, normal, base);
 }
 
-INLINE Certainty certainty_of(LightPencil light, global const real* doubts, real base, Undecided undecided, int item) {
-    const int place = doubts_place(undecided.first_block, item);
-    const real curvature = doubts[place + 1];
-    return (Certainty){doubt_at(light, doubts[place], curvature, base), curvature, base, undecided};
+INLINE Certainty certainty_of(Hits hits, LightPencil light, Pass pass, int item) {
+    const int place = doubts_place(pass.first_block, item);
+    const real curvature = hits.doubts[place + 1], base = pass.base_doubt;
+    const LightDoubt doubt = doubt_at(light, hits.doubts[place], curvature, base);
+    return (Certainty){doubt, curvature, base, {hits.undecided, pass.first_block}};
 }
 
 // Which of the hits in `open`, bits of the work-item, may not face the light by their own doubts. They are few, and
@@ -160,6 +161,7 @@ INLINE void trace_certainly(Hits hits, Hierarchy hierarchy, LightPencil light, c
 typedef struct {
     int nothing;
 } Certainty;
+INLINE Certainty certainty_of(Hits hits, LightPencil light, Pass pass, int item) { return (Certainty){0}; }
 #endif
 
 #endif

@@ -27,7 +27,7 @@ kernel void intersect_shadow(global const real* restrict positions, global const
     ShadowRay ray[PACKETS];
     const Hierarchy hierarchy = {clusters, nodes, pass.levels, pass.last};
     const Hits hits = HITS_READ;
-    const Certainty certainty = CERTAINTY;
+    const Certainty certainty = certainty_of(hits, light, pass, item);
     global real* arrival = arrival_of(arrivals, pass, pass.arrival);
 #if CHUNKS
     if (!pass.first_chunk) FOR_PACKETS(k) {

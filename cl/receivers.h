@@ -18,6 +18,10 @@ typedef struct {
 #if BOXES
     global const HitsBox* boxes;
 #endif
+#if CERTIFIED
+    global const real* doubts;
+    global uint* undecided;
+#endif
 #if OWN_DOUBTS
     global const real* position_doubts;
 #endif
@@ -27,13 +31,18 @@ typedef struct {
 #else
 #define BOXES_READ
 #endif
-#if OWN_DOUBTS
-#define DOUBTS_READ .position_doubts = position_doubts,
+#if CERTIFIED
+#define DOUBTS_READ .doubts = doubts, .undecided = undecided,
 #else
 #define DOUBTS_READ
 #endif
+#if OWN_DOUBTS
+#define OWN_DOUBTS_READ .position_doubts = position_doubts,
+#else
+#define OWN_DOUBTS_READ
+#endif
 #define HITS_READ \
-    { .positions = positions, .normals = normals, .ids = ids, BOXES_READ DOUBTS_READ }
+    { .positions = positions, .normals = normals, .ids = ids, BOXES_READ DOUBTS_READ OWN_DOUBTS_READ }
 
 // What arrives of each of the lights that a launch of shade_light adds, one after the other.
 INLINE global real* arrival_of(global real* arrivals, Pass pass, int light) {

@@ -16,6 +16,53 @@
 #include "resolve.h"
 #include "shading.h"
 
+// The rays of one place: a work-item's, or those of a pair of blocks.
+APART void shade(const Shaded* at, const LightPencil* light, const Pass* pass, const Shading* shading, int place) {
+#if RESOLVES
+    const Pair pair = pair_of(pass->tile, place);
+    const int each = BLOCK_RAYS / (LANES * PACKETS), begin = pair.first * each, end = begin + pair.count * each;
+    realw kept[2 * 3 * BLOCK_RAYS / LANES];  // the pair's radiance, which nobody else reads
+#else
+    const int begin = place, end = begin + 1;
+#endif
+    ONE_AT_A_TIME for (int item = begin; item < end; ++item) {
+        realw share[PACKETS];
+#if SHADOWS == SHADOWS_READ
+        FOR_PACKETS(k) share[k] = wide(0.0f);
+#else
+        ShadowRay ray[PACKETS];
+        const Certainty certainty = certainty_of(at->hits, *light, *pass, item);
+        face_light(at->hits, *light, certainty, item, ray, share);
+#endif
+#if SHADOWS == SHADOWS_TRACED
+        trace_shadows(at->hits, at->hierarchy, *light, ray, pass->group_depth, item, share, certainty);
+#endif
+        if (pass->arrival >= 0) {
+            FOR_PACKETS(k) store_r(share[k], arrival_of(at->arrivals, *pass, pass->arrival), item, k);
+            continue;
+        }
+        FOR_PACKETS(k) {
+            const Arrivals all = arrivals_at(*at, *pass, share[k], item, k);
+            const wholew lit = lit_by_any(all);
+            if (!any_lane(lit) && !shading->first && !shading->last) continue;
+            const vec3w sum = add_lights(*at, *shading, all, lit, item, k);
+#if RESOLVES
+            if (shading->last) {
+                keep_3(sum, kept, item - begin, k);
+                continue;
+            }
+#endif
+            store_3(sum, at->radiance, item, k);
+        }
+    }
+#if RESOLVES
+    if (shading->last)
+        for (int row = 0; row < BLOCK_SIDE; ++row)
+            resolve_row((private const real*)kept, 3, pass->tile, shading->planes, pair, row, at->plane0, at->plane1,
+                        at->plane2);
+#endif
+}
+
 kernel void shade_light(global const real* restrict positions, global const real* restrict normals,
                         global const int* restrict ids,
 #if SHADOWS != SHADOWS_OFF
@@ -41,48 +88,17 @@ kernel void shade_light(global const real* restrict positions, global const real
 #if SHADOWS == SHADOWS_OFF
     global real* arrivals = 0;
 #endif
-    const Shaded at = {HITS_READ, {albedos + shading.first_albedo, shading.albedo_stride}, arrivals, radiance};
+    const Shaded at = {
+        .hits = HITS_READ,
+        .hierarchy = {clusters, nodes, pass.levels, pass.last},
+        .albedos = {albedos + shading.first_albedo, shading.albedo_stride},
+        .arrivals = arrivals,
+        .radiance = radiance,
 #if RESOLVES
-    const Pair pair = pair_of(pass.tile, place);
-    const int each = BLOCK_RAYS / (LANES * PACKETS), begin = pair.first * each, end = begin + pair.count * each;
-    realw kept[2 * 3 * BLOCK_RAYS / LANES];  // the pair's radiance, which nobody else reads
-#else
-    const int begin = place, end = begin + 1;
+        .plane0 = plane0,
+        .plane1 = plane1,
+        .plane2 = plane2,
 #endif
-    ONE_AT_A_TIME for (int item = begin; item < end; ++item) {
-        realw share[PACKETS];
-#if SHADOWS == SHADOWS_READ
-        FOR_PACKETS(k) share[k] = wide(0.0f);
-#else
-        ShadowRay ray[PACKETS];
-        const Certainty certainty = CERTAINTY;
-        face_light(at.hits, light, certainty, item, ray, share);
-#endif
-#if SHADOWS == SHADOWS_TRACED
-        const Hierarchy hierarchy = {clusters, nodes, pass.levels, pass.last};
-        trace_shadows(at.hits, hierarchy, light, ray, pass.group_depth, item, share, certainty);
-#endif
-        if (pass.arrival >= 0) {
-            FOR_PACKETS(k) store_r(share[k], arrival_of(arrivals, pass, pass.arrival), item, k);
-            continue;
-        }
-        FOR_PACKETS(k) {
-            const Arrivals all = arrivals_at(at, pass, share[k], item, k);
-            const wholew lit = lit_by_any(all);
-            if (!any_lane(lit) && !shading.first && !shading.last) continue;
-            const vec3w sum = add_lights(at, shading, all, lit, item, k);
-#if RESOLVES
-            if (shading.last) {
-                keep_3(sum, kept, item - begin, k);
-                continue;
-            }
-#endif
-            store_3(sum, radiance, item, k);
-        }
-    }
-#if RESOLVES
-    if (shading.last)
-        for (int row = 0; row < BLOCK_SIDE; ++row)
-            resolve_row((private const real*)kept, 3, pass.tile, shading.planes, pair, row, plane0, plane1, plane2);
-#endif
+    };
+    shade(&at, &light, &pass, &shading, place);
 }

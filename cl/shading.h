@@ -40,11 +40,15 @@ INLINE vec3w reflected(vec3w albedo, Real3 phi, realw share, vec3w sum) {
     return (vec3w){fma(part.x, wide(phi.x), sum.x), fma(part.y, wide(phi.y), sum.y), fma(part.z, wide(phi.z), sum.z)};
 }
 
-// Where what is shaded lies.
+// Where what is shaded lies, and where it goes.
 typedef struct {
     Hits hits;
+    Hierarchy hierarchy;
     Albedos albedos;
     global real *arrivals, *radiance;
+#if RESOLVES
+    global int *plane0, *plane1, *plane2;
+#endif
 } Shaded;
 
 // Of so many lights what arrives is read.

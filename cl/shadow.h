@@ -8,13 +8,6 @@
 #include "certain_shadow.h"
 #include "receivers.h"
 
-// What is to be known of a work-item's hits besides, in certified pictures.
-#if CERTIFIED
-#define CERTAINTY certainty_of(light, doubts, pass.base_doubt, (Undecided){undecided, pass.first_block}, item)
-#else
-#define CERTAINTY ((Certainty){0})
-#endif
-
 // The shadow rays of all packets, and what arrives at their hits if nothing is in between. With -D CERTIFIED=1 hits
 // that may or may not face the light are left undecided.
 INLINE void face_light(Hits hits, LightPencil light, Certainty certainty, int item, ShadowRay* ray, realw* share) {

@@ -94,7 +94,7 @@ TEST_CASE("verify: a wrong hit is found, with its pixel and its kernel", "[verif
 
 TEST_CASE("verify: a wrong share of one light is found, with its light and its kernel", "[verify]") {
     on_each([](const DeviceInfo& device) {
-        const std::string before = "if (pass.arrival >= 0) {",
+        const std::string before = "if (pass->arrival >= 0) {",
                           wrong = "if (LIGHT == LIGHT_POINT) FOR_PACKETS(k) share[k] *= 1 + 0x1p-22f;\n";
         const Difference d = found(device, "point", DamagedKernels({{"shade_light.cl", before, wrong + before}}));
         CHECK(d.results == std::vector<std::string>{"radiance"});
