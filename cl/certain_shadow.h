@@ -31,22 +31,20 @@ INLINE Certainty certainty_of(Hits hits, LightPencil light, Pass pass, int item)
 }
 
 // Which of the hits in `open`, bits of the work-item, may not face the light by their own doubts. They are few, and
-// this works on copies, so that everything else stays in registers.
-INLINE ulong facing_alone(Hits hits, LightPencil light, const ShadowRay* ray, Certainty certainty, int item,
-                          ulong open) {
+// make their rays anew: so those of hits that are not lit need not be made.
+INLINE ulong facing_alone(Hits hits, LightPencil light, Certainty certainty, int item, ulong open) {
 #if DOUBT_RAYS == 1
     return open;
 #else
-    ShadowRay rays[PACKETS];
-    FOR_PACKETS(k) rays[k] = ray[k];
     ulong left = 0;
     ONE_PACKET_AT_A_TIME(k) {
         const realw off = load_r(hits.position_doubts, item, k);
         const vec3w position = position_of(hits, item, k), normal = load_3(hits.normals, item, k);
+        const ShadowRay ray = shadow_ray(light, position);
         for (int rest = (int)(open >> k * LANES) & ALL_LANES; rest; rest &= rest - 1) {
             const int lane = lowest_bit(rest);
             const LightDoubt own = doubt_at(light, LANE_OF(off, lane), certainty.curvature, certainty.base);
-            const int facing = lane_bits(ints_of(may_face(light, rays[k], position, normal, own))) >> lane & 1;
+            const int facing = lane_bits(ints_of(may_face(light, ray, position, normal, own))) >> lane & 1;
             left |= (ulong)facing << (k * LANES + lane);
         }
     }
@@ -135,9 +133,10 @@ INLINE void trace_certain_group(Hierarchy hierarchy, FatShadowRay fat, RayDoubt 
         }
 }
 
-// Takes from the hits of a group what is certainly occluded; leaves undecided what is open.
-INLINE void trace_certainly(Hits hits, Hierarchy hierarchy, LightPencil light, const ShadowRay* ray,
-                            Certainty certainty, int item, const wholew* id, const wholew* group, realw* share) {
+// Takes from the hits of a group what is certainly occluded; the result is those that are open, as bits of the
+// work-item.
+INLINE ulong trace_certainly(Hits hits, Hierarchy hierarchy, LightPencil light, const ShadowRay* ray,
+                             Certainty certainty, int item, const wholew* id, const wholew* group, realw* share) {
     int face;
     const FatShadowRay plain = fat_ray_of_group(hits, light, ray, group, item, &face);
     const RayDoubt most = ray_doubt(certainty.doubt, ray, group);
@@ -148,13 +147,19 @@ INLINE void trace_certainly(Hits hits, Hierarchy hierarchy, LightPencil light, c
     trace_certain_group(hierarchy, fat, most, ray, certainty.doubt, id, group, unsure, share);
     ulong open = 0;
     FOR_PACKETS(k) open |= bits_of_packet(unsure[k] & (share[k] > 0.0f), k);
-    if (!UNLIKELY(open)) return;
+    if (!UNLIKELY(open)) return 0;
 #if DOUBT_RAYS > 1
     ulong occluded;
     open = trace_each_alone(hits, hierarchy, light, fat, most, ray, certainty, item, open, &occluded);
     FOR_PACKETS(k) share[k] = choose(lanes_of_bits((int)(occluded >> k * LANES)), wide(0.0f), share[k]);
 #endif
-    leave_undecided(open, certainty.undecided, item);
+    return open;
+}
+
+// Once nothing is read any more: before, what a work-item may not need would have to be read as well, since this
+// writes.
+INLINE void leave_open(ulong open, Certainty certainty, int item) {
+    if (UNLIKELY(open)) leave_undecided(open, certainty.undecided, item);
 }
 
 #else
@@ -162,6 +167,7 @@ typedef struct {
     int nothing;
 } Certainty;
 INLINE Certainty certainty_of(Hits hits, LightPencil light, Pass pass, int item) { return (Certainty){0}; }
+INLINE void leave_open(ulong open, Certainty certainty, int item) {}
 #endif
 
 #endif

@@ -28,6 +28,7 @@ kernel void intersect_shadow(global const real* restrict positions, global const
     const Hierarchy hierarchy = {clusters, nodes, pass.levels, pass.last};
     const Hits hits = HITS_READ;
     const Certainty certainty = certainty_of(hits, light, pass, item);
+    ulong open = 0;
     global real* arrival = arrival_of(arrivals, pass, pass.arrival);
 #if CHUNKS
     if (!pass.first_chunk) FOR_PACKETS(k) {
@@ -36,7 +37,8 @@ kernel void intersect_shadow(global const real* restrict positions, global const
         }
     else
 #endif
-        face_light(hits, light, certainty, item, ray, share);
-    trace_shadows(hits, hierarchy, light, ray, pass.group_depth, item, share, certainty);
+        open = face_light(hits, light, certainty, item, ray, share);
+    open |= trace_shadows(hits, hierarchy, light, ray, pass.group_depth, item, share, certainty);
+    leave_open(open, certainty, item);
     FOR_PACKETS(k) store_r(share[k], arrival, item, k);
 }

@@ -53,8 +53,8 @@ INLINE wholew occludes(PencilSphere s, ShadowRay ray) {
 
 // Whether it may: where it does not, occludes is 0.
 INLINE wholew may_occlude(PencilSphere s, ShadowRay ray) {
-    const wholew by_disc = disc_discriminant(s, ray) >= 0.0f;
-    return looks_small(s) ? by_disc : by_disc | (ray.squared < wide(s.r2));
+    const real within = looks_small(s) ? 0 : s.r2;
+    return (disc_discriminant(s, ray) >= 0.0f) | (ray.squared < wide(within));
 }
 
 // All shadow rays of a work-item: across the light no wider than this rectangle, and none starts behind `back`.

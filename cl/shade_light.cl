@@ -32,10 +32,11 @@ APART void shade(const Shaded* at, const LightPencil* light, const Pass* pass, c
 #else
         ShadowRay ray[PACKETS];
         const Certainty certainty = certainty_of(at->hits, *light, *pass, item);
-        face_light(at->hits, *light, certainty, item, ray, share);
-#endif
+        ulong open = face_light(at->hits, *light, certainty, item, ray, share);
 #if SHADOWS == SHADOWS_TRACED
-        trace_shadows(at->hits, at->hierarchy, *light, ray, pass->group_depth, item, share, certainty);
+        open |= trace_shadows(at->hits, at->hierarchy, *light, ray, pass->group_depth, item, share, certainty);
+#endif
+        leave_open(open, certainty, item);
 #endif
         if (pass->arrival >= 0) {
             FOR_PACKETS(k) store_r(share[k], arrival_of(at->arrivals, *pass, pass->arrival), item, k);

@@ -8,9 +8,9 @@
 #include "certain_shadow.h"
 #include "receivers.h"
 
-// The shadow rays of all packets, and what arrives at their hits if nothing is in between. With -D CERTIFIED=1 hits
-// that may or may not face the light are left undecided.
-INLINE void face_light(Hits hits, LightPencil light, Certainty certainty, int item, ShadowRay* ray, realw* share) {
+// The shadow rays of all packets, and what arrives at their hits if nothing is in between. The result is the hits of
+// which it is open whether they face the light, as bits of the work-item.
+INLINE ulong face_light(Hits hits, LightPencil light, Certainty certainty, int item, ShadowRay* ray, realw* share) {
     ulong open = 0;
     FOR_PACKETS(k) {
         ray[k] = shadow_ray(light, position_of(hits, item, k));
@@ -21,9 +21,9 @@ INLINE void face_light(Hits hits, LightPencil light, Certainty certainty, int it
 #endif
     }
 #if CERTIFIED
-    if (UNLIKELY(open))
-        leave_undecided(facing_alone(hits, light, ray, certainty, item, open), certainty.undecided, item);
+    if (UNLIKELY(open)) open = facing_alone(hits, light, certainty, item, open);
 #endif
+    return open;
 }
 
 // Takes from the hits that the sphere occludes what they had; the result is not 0 when there were any. Most spheres
@@ -68,9 +68,10 @@ INLINE void take_group(const floatw* far, float ratio, wholew* left, wholew* gro
 
 // ray[k]: the shadow rays of packet k; share[k]: what would arrive at its hits; where something is in between it
 // becomes 0. Where there are levels, hits are traced together whose distances from the eye differ by less than the
-// factor group_depth (> 1). With -D CERTIFIED=1 hits whose shadow rounding may decide are left undecided.
-INLINE void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil light, const ShadowRay* ray, float group_depth,
-                          int item, realw* share, Certainty certainty) {
+// factor group_depth (> 1). The result is the hits whose shadow is open, as bits of the work-item.
+INLINE ulong trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil light, const ShadowRay* ray, float group_depth,
+                           int item, realw* share, Certainty certainty) {
+    ulong open = 0;
     wholew id[PACKETS], group[PACKETS];
     FOR_PACKETS(k) id[k] = load_i(hits.ids, item, k);
 #if WALK == WALK_NODES
@@ -88,11 +89,12 @@ INLINE void trace_shadows(Hits hits, Hierarchy hierarchy, LightPencil light, con
     if (any_open(group)) {
 #endif
 #if CERTIFIED
-        trace_certainly(hits, hierarchy, light, ray, certainty, item, id, group, share);
+        open |= trace_certainly(hits, hierarchy, light, ray, certainty, item, id, group, share);
 #else
         trace_group(hits, hierarchy, light, ray, item, id, group, share);
 #endif
     }
+    return open;
 }
 
 #endif
