@@ -9,12 +9,14 @@ namespace gnomon {
 
 namespace {
 
-/// What kernels wrote for a batch of rays, in block order.
+/// What kernels wrote for a batch of rays, in block order, of the planes that the film has.
 template <class real>
 struct Traced {
     std::vector<real> ts, normals, radiance;
     std::vector<int> ids;
 };
+
+int blocks_of(int rays) { return (rays + BLOCK_RAYS - 1) / BLOCK_RAYS; }
 
 /// Component c of n of ray k.
 size_t at(int k, size_t c, size_t n) {
@@ -22,8 +24,14 @@ size_t at(int k, size_t c, size_t n) {
     return (ray / BLOCK_RAYS * n + c) * BLOCK_RAYS + ray % BLOCK_RAYS;
 }
 
+/// Of ray k; 0 where nothing was read.
+template <class T>
+T one(const std::vector<T>& values, int k) {
+    return values.empty() ? T{0} : values[at(k, 0, 1)];
+}
 template <class real>
 Vec3 three(const std::vector<real>& values, int k) {
+    if (values.empty()) return {0, 0, 0};
     return {values[at(k, 0, 3)], values[at(k, 1, 3)], values[at(k, 2, 3)]};
 }
 
@@ -73,14 +81,14 @@ void Refinement::launch(const Step& step, const BuiltKernel& built, const cl::Ke
 }
 
 void Refinement::trace(const cl::Buffer& places, int first, int count) {
-    const int blocks = (count + BLOCK_RAYS - 1) / BLOCK_RAYS;
+    const int blocks = blocks_of(count);
     const Tile tile{0, 0, blocks, blocks};
-    undecided_.clear(queue_, last_);
     for (const Step& step : plan_.steps) {
         const BuiltKernel& built = programs_.get(plan_.variants[static_cast<size_t>(step.variant)]);
         cl::Kernel kernel = built.kernel;
         if (step.kernel == Kernel::refine_rays) {
-            Arguments(kernel).add(scene_.eye, places, first, count, blocks * BLOCK_RAYS, tile_.dirs);
+            Arguments(kernel).add(scene_.eye, places, first, count, blocks * BLOCK_RAYS, tile_.dirs,
+                                  undecided_.words());
             launch(step, built, kernel, blocks * BLOCK_RAYS);
             continue;
         }
@@ -91,24 +99,22 @@ void Refinement::trace(const cl::Buffer& places, int first, int count) {
 
 template <class real>
 void Refinement::write(const int* pixels, int count, std::vector<int>& undecided) {
-    const size_t rays = (static_cast<size_t>(count) + BLOCK_RAYS - 1) / BLOCK_RAYS * BLOCK_RAYS;
+    const int blocks = blocks_of(count);
+    const auto rays = static_cast<size_t>(blocks) * BLOCK_RAYS;
     const bool shaded = plan_.uses(Kernel::shade_light);
     Traced<real> traced;
-    read(queue_, last_, tile_.ts, rays, traced.ts);
-    read(queue_, last_, tile_.normals, 3 * rays, traced.normals);
-    read(queue_, last_, tile_.ids, rays, traced.ids);
-    if (shaded) read(queue_, last_, tile_.radiance, 3 * rays, traced.radiance);
-    for (const int ray : undecided_.read(queue_, last_)) undecided.push_back(pixels[ray]);
+    if (!film_.distance.empty()) read(queue_, last_, tile_.ts, rays, traced.ts);
+    if (!film_.normal[0].empty()) read(queue_, last_, tile_.normals, 3 * rays, traced.normals);
+    if (!film_.id.empty()) read(queue_, last_, tile_.ids, rays, traced.ids);
+    if (shaded && !film_.radiance[0].empty()) read(queue_, last_, tile_.radiance, 3 * rays, traced.radiance);
+    for (const int ray : undecided_.read(queue_, last_, blocks)) undecided.push_back(pixels[ray]);
     queue_.finish();
     last_.clear();
     launches_.measure_all();
     for (int k = 0; k < count; ++k) {
-        const Vec3 radiance = shaded ? three(traced.radiance, k) : Vec3{0, 0, 0};
+        const Vec3 radiance = three(traced.radiance, k);
         put(film_, static_cast<size_t>(pixels[k]),
-            {traced.ids[at(k, 0, 1)],
-             traced.ts[at(k, 0, 1)],
-             three(traced.normals, k),
-             {radiance.x, radiance.y, radiance.z}});
+            {one(traced.ids, k), one(traced.ts, k), three(traced.normals, k), {radiance.x, radiance.y, radiance.z}});
     }
 }
 

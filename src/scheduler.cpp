@@ -100,7 +100,8 @@ Measured Scheduler::run(TileQueue& tiles, const std::vector<cl::Event>& after,
         run_ahead(progress);
     queue_.enqueueReadBuffer(hit_counts_, CL_FALSE, 0, hits.size() * sizeof(int), hits.data());
     if (plan_.write_in_place) map_film();
-    if (plan_.certified) measured_.undecided = pixels_of(undecided_.read(queue_), plan_.tiles, plan_.image);
+    if (plan_.certified)
+        measured_.undecided = pixels_of(undecided_.read(queue_, {}, blocks_of(plan_)), plan_.tiles, plan_.image);
     queue_.finish();
     count_hits(hits);
     return measured_;

@@ -45,10 +45,12 @@ void UndecidedRays::clear(const cl::CommandQueue& queue, std::vector<cl::Event>&
     if (adds_up_) queue.enqueueFillBuffer(doubts_, uint32_t{0}, 0, doubts_bytes_, nullptr, &busy.emplace_back());
 }
 
-std::vector<int> UndecidedRays::read(const cl::CommandQueue& queue, const std::vector<cl::Event>& after) const {
+std::vector<int> UndecidedRays::read(const cl::CommandQueue& queue, const std::vector<cl::Event>& after,
+                                     int blocks) const {
+    const size_t bytes = static_cast<size_t>(blocks) * words_of_block * sizeof(uint32_t);
     // Mapped: where the device shares the host's memory nothing is copied.
-    void* mapped = queue.enqueueMapBuffer(words_, CL_TRUE, CL_MAP_READ, 0, bytes_, &after);
-    std::vector<int> rays = places_of_bits(static_cast<const uint32_t*>(mapped), bytes_ / sizeof(uint32_t));
+    void* mapped = queue.enqueueMapBuffer(words_, CL_TRUE, CL_MAP_READ, 0, bytes, &after);
+    std::vector<int> rays = places_of_bits(static_cast<const uint32_t*>(mapped), bytes / sizeof(uint32_t));
     queue.enqueueUnmapMemObject(words_, mapped);
     return rays;
 }

@@ -18,8 +18,8 @@ class UndecidedRays {
 
     /// Sets none; `busy` then holds the end of it too.
     void clear(const cl::CommandQueue& queue, std::vector<cl::Event>& busy) const;
-    /// Those that are set, in order, once all of `after` has ended; waits for that.
-    std::vector<int> read(const cl::CommandQueue& queue, const std::vector<cl::Event>& after = {}) const;
+    /// Those of so many blocks that are set, in order, once all of `after` has ended; waits for that.
+    std::vector<int> read(const cl::CommandQueue& queue, const std::vector<cl::Event>& after, int blocks) const;
 
     const cl::Buffer& words() const { return words_; }
     /// Two reals each for Plan::doubt_rays (cl/certify.h).
