@@ -1,18 +1,12 @@
-#include <unistd.h>
-
+// Scenes as JSON: what is read, and how what is wrong is refused.
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
-#include "catch.h"
-#include "error.h"
-#include "scene_io.h"
-#include "sha1.h"
+#include "scenes.h"
 
 using namespace gnomon;
-namespace fs = std::filesystem;
+using namespace gnomon::test;
 
 namespace {
 
@@ -39,45 +33,9 @@ std::string changed(const std::string& from, const std::string& to) {
     return text.replace(at, quoted.size(), replaced(to, '\'', '"'));
 }
 
-bool contains(const std::string& text, const std::string& fragment) { return text.find(fragment) != std::string::npos; }
-
-/// The message of the Error(Blame::input) that the action must end in.
-template <class Action>
-std::string refusal(Action action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        CHECK(error.exit_code() == 2);
-        return error.what();
-    }
-    FAIL("accepted what is wrong");
-    return "";
-}
-
 std::string scene_refusal(const std::string& text) {
-    return refusal([&] { parse_scene(text, "s.json"); });
+    return refusal(2, [&] { parse_scene(text, "s.json"); });
 }
-
-/// A file of this test's own, gone with the object.
-class TempFile {
-  public:
-    explicit TempFile(const std::string& bytes) {
-        static int count = 0;
-        path_ = fs::temp_directory_path() /
-                ("gnomon_scene_io_" + std::to_string(getpid()) + "_" + std::to_string(count++) + ".json");
-        std::ofstream(path_, std::ios::binary) << bytes;
-    }
-    ~TempFile() {
-        std::error_code ignored;
-        fs::remove(path_, ignored);
-    }
-    TempFile(const TempFile&) = delete;
-    TempFile& operator=(const TempFile&) = delete;
-    std::string path() const { return path_.string(); }
-
-  private:
-    fs::path path_;
-};
 
 void check_vec(Vec3 found, Vec3 expected) {
     CHECK(found.x == expected.x);
@@ -299,57 +257,6 @@ TEST_CASE("deep nesting neither crashes nor floods", "[scene_io]") {
     CHECK(contains(deep_overflow, ": .../0/0/0/0/0/0/0/0: found 1e999, expected a finite number"));
 }
 
-TEST_CASE("the examples load", "[scene_io]") {
-    const std::string folder = std::string(GNOMON_SOURCE_DIR) + "/examples/";
-    const LoadedScene suns = load_scene(folder + "directional.json");
-    CHECK(suns.warnings.empty());
-    CHECK(suns.scene.image.width == 1024);
-    REQUIRE(suns.scene.spheres.size() == 3);
-    CHECK(suns.scene.spheres[2].radius == 1650);
-    REQUIRE(suns.scene.lights.size() == 3);
-    check_vec(std::get<DirectionalLight>(suns.scene.lights[1]).direction_to_light, {-1, 1, 0});
-    const LoadedScene lamps = load_scene(folder + "point.json");
-    CHECK(lamps.warnings.empty());
-    CHECK(lamps.scene.sha1.size() == 40);
-    CHECK(lamps.scene.sha1 != suns.scene.sha1);
-    REQUIRE(lamps.scene.lights.size() == 4);
-    check_rgb(std::get<PointLight>(lamps.scene.lights[3]).power, {1e5, 1e5, 1e5});
-}
-
-TEST_CASE("files that cannot be read are refused", "[scene_io]") {
-    const TempFile empty("");
-    CHECK(contains(refusal([&] { load_scene(empty.path()); }), empty.path() + ": found an empty file"));
-    const std::string folder = fs::temp_directory_path().string();
-    CHECK(contains(refusal([&] { load_scene(folder); }), folder + ": cannot read the scene file: Is a directory"));
-    const std::string missing = empty.path() + ".missing";
-    CHECK(contains(refusal([&] { load_scene(missing); }), missing + ": cannot open the scene file: No such file"));
-    const std::string below = empty.path() + "/scene.json";
-    CHECK(contains(refusal([&] { load_scene(below); }), below + ": cannot open the scene file: Not a directory"));
-}
-
-TEST_CASE("a file without the right to read it is refused", "[scene_io]") {
-    const TempFile secret(good);
-    CHECK(load_scene(secret.path()).scene.spheres.size() == 2);
-    fs::permissions(secret.path(), fs::perms::none);
-    if (geteuid() == 0) return;  // root may read everything
-    CHECK(contains(refusal([&] { load_scene(secret.path()); }), "cannot open the scene file: Permission denied"));
-}
-
-TEST_CASE("SHA-1 gives the published digests (FIPS 180)", "[scene_io]") {
-    CHECK(sha1_hex("") == "da39a3ee5e6b4b0d3255bfef95601890afd80709");
-    CHECK(sha1_hex("abc") == "a9993e364706816aba3e25717850c26c9cd0d89d");
-    const std::string two_blocks = "abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq";
-    CHECK(sha1_hex(two_blocks) == "84983e441c3bd26ebaae4aa1f95129e5e54670f1");
-    CHECK(sha1_hex(std::string(1000000, 'a')) == "34aa973cd4c4daa4f61eeb2bdbad27316534016f");
-}
-
-TEST_CASE("a scene carries the SHA-1 of its file, byte for byte", "[scene_io]") {
-    const std::string with_mark = "\xEF\xBB\xBF" + good + "\r\n";
-    const TempFile plain(good), marked(with_mark);
-    CHECK(load_scene(plain.path()).scene.sha1 == sha1_hex(good));
-    CHECK(load_scene(marked.path()).scene.sha1 == sha1_hex(with_mark));
-}
-
 TEST_CASE("a size is read as WIDTHxHEIGHT", "[scene_io]") {
     CHECK(parse_size("1920x1080").width == 1920);
     CHECK(parse_size("1920x1080").height == 1080);
@@ -359,7 +266,7 @@ TEST_CASE("a size is read as WIDTHxHEIGHT", "[scene_io]") {
 
 TEST_CASE("a wrong size is refused", "[scene_io]") {
     const auto check = [](const std::string& size, const std::string& expected) {
-        const std::string message = refusal([&] { parse_size(size); });
+        const std::string message = refusal(2, [&] { parse_size(size); });
         INFO(message);
         CHECK(contains(message, expected));
         CHECK(message.size() < 200);
