@@ -67,11 +67,11 @@ INLINE realw certainly_unshadowed(Hits hits, LightPencil light, ShadowRay ray, C
 INLINE int certainly_occlude(PencilSphere s, const ShadowRay* ray, Edge edge, const wholew* id, const wholew* group,
                              wholew* unsure, realw* share) {
     wholew any = 0, changed = 0;
-    FOR_PACKETS(k) any |= group[k] & (share[k] > 0.0f) & (id[k] != s.id) & line_may_meet(s, ray[k], edge);
+    FOR_PACKETS(k) any |= still_lit(group, share, k) & (id[k] != s.id) & line_may_meet(s, ray[k], edge);
     if (!any_lane(any)) return 0;
     FOR_PACKETS(k) {
         const Meeting at = meeting(s, ray[k]);
-        const wholew may = group[k] & (share[k] > 0.0f) & (id[k] != s.id) & !surely_clear(at, edge);
+        const wholew may = still_lit(group, share, k) & (id[k] != s.id) & !surely_clear(at, edge);
         const wholew closes = may & surely_met(at, edge);
         unsure[k] |= may & !closes;
         share[k] = choose(closes, wide(0.0f), share[k]);

@@ -15,8 +15,8 @@
 #endif
 
 // A function of its own, called: of what a kernel inlines PoCL compiles three copies, the kernel and two loops over a
-// group's work-items, and of this one. Whoever asks which work-item it is is inlined all the same. Nothing that is
-// measured in nanoseconds: a call takes about 5.
+// group's work-items, and of this one. Whoever asks which work-item it is is inlined all the same. For what takes long
+// enough: shade_light, called for two blocks at once, is as fast; intersect_closest, for one, was 6 to 13 % slower.
 #if CLANG_TO_MACHINE
 #define APART __attribute__((noinline)) static
 #else

@@ -79,10 +79,19 @@ INLINE int any_open(const wholew* open) {
     return any_lane(any);
 }
 
-// Whether anything arrives yet at a hit of the group.
+// Hits of the group at which something arrives yet: of one group, where no nodes are walked down, all that are lit.
+INLINE wholew still_lit(const wholew* group, const realw* share, int k) {
+#if WALK == WALK_NODES
+    return group[k] & (share[k] > 0.0f);
+#else
+    return share[k] > 0.0f;
+#endif
+}
+
+// Whether there are any.
 INLINE int any_still_lit(const wholew* group, const realw* share) {
     wholew any = 0;
-    FOR_PACKETS(k) any |= group[k] & (share[k] > 0.0f);
+    FOR_PACKETS(k) any |= still_lit(group, share, k);
     return any_lane(any);
 }
 

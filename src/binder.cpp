@@ -3,28 +3,9 @@
 #include <algorithm>
 
 #include "arguments.h"
+#include "film_planes.h"
 
 namespace gnomon {
-
-std::vector<std::pair<void*, size_t>> planes_of(Film& film, Output output) {
-    std::vector<std::pair<void*, size_t>> planes;
-    const auto add = [&](auto& plane) { planes.emplace_back(plane.data(), plane.bytes()); };
-    switch (output) {
-        case Output::radiance:
-            std::for_each(std::begin(film.radiance), std::end(film.radiance), add);
-            break;
-        case Output::distance:
-            add(film.distance);
-            break;
-        case Output::normal:
-            std::for_each(std::begin(film.normal), std::end(film.normal), add);
-            break;
-        case Output::id:
-            add(film.id);
-            break;
-    }
-    return planes;
-}
 
 Binder::Binder(const cl::Context& context, const Plan& plan, const SceneBuffers& scene, Film& film,
                const cl::Buffer& hit_counts, const UndecidedRays& undecided)
@@ -35,6 +16,12 @@ Binder::Binder(const cl::Context& context, const Plan& plan, const SceneBuffers&
             for (const auto& [data, bytes] : planes_of(film, step.output))
                 planes_[static_cast<size_t>(step.output)].emplace_back(context, CL_MEM_WRITE_ONLY | CL_MEM_USE_HOST_PTR,
                                                                        bytes, data);
+}
+
+std::vector<cl::Buffer> Binder::planes() const {
+    std::vector<cl::Buffer> all;
+    for (const std::vector<cl::Buffer>& of_one : planes_) all.insert(all.end(), of_one.begin(), of_one.end());
+    return all;
 }
 
 void Binder::bind(cl::Kernel& kernel, const TileLaunch& launch) const {
@@ -136,7 +123,7 @@ Planes Binder::shape_of_planes(const Tile& tile) const {
 
 const cl::Buffer& Binder::plane(const TileLaunch& launch, size_t c) const {
     if (!plan_.write_in_place) return launch.buffers.planes[c];
-    const std::vector<cl::Buffer>& all = planes(launch.step.output);
+    const std::vector<cl::Buffer>& all = planes_[static_cast<size_t>(launch.step.output)];
     return all[std::min(c, all.size() - 1)];
 }
 

@@ -1,7 +1,6 @@
 // The arguments of the kernels that a tile goes through.
 #pragma once
 
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -11,9 +10,6 @@
 #include "undecided.h"
 
 namespace gnomon {
-
-/// The film's planes behind one output: 32-bit values and bytes.
-std::vector<std::pair<void*, size_t>> planes_of(Film& film, Output output);
 
 /// What one launch works on.
 struct TileLaunch {
@@ -34,8 +30,8 @@ class Binder {
     /// Sets all arguments of the kernel that the step launches.
     void bind(cl::Kernel& kernel, const TileLaunch& launch) const;
 
-    /// Of one output, if the film is written in place.
-    const std::vector<cl::Buffer>& planes(Output output) const { return planes_[static_cast<size_t>(output)]; }
+    /// Buffers over all of the film's planes that are written in place.
+    std::vector<cl::Buffer> planes() const;
 
   private:
     void bind_shade_light(cl::Kernel& kernel, const TileLaunch& launch) const;

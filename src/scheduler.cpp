@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dealer.h"
+#include "film_planes.h"
 
 namespace gnomon {
 
@@ -99,7 +100,7 @@ Measured Scheduler::run(TileQueue& tiles, const std::vector<cl::Event>& after,
     else
         run_ahead(progress);
     queue_.enqueueReadBuffer(hit_counts_, CL_FALSE, 0, hits.size() * sizeof(int), hits.data());
-    if (plan_.write_in_place) map_film();
+    if (plan_.write_in_place) map_planes(queue_, binder_->planes());
     if (plan_.certified)
         measured_.undecided = pixels_of(undecided_.read(queue_, {}, blocks_of(plan_)), plan_.tiles, plan_.image);
     queue_.finish();
@@ -215,7 +216,8 @@ Work Scheduler::work_of(const Slot& slot, const Step& step) const {
 }
 
 void Scheduler::end_step(const Step& step, Slot& slot) {
-    if (step.kernel == Kernel::resolve && !plan_.write_in_place) read_planes(step.output, tile_of(slot), slot);
+    if (step.kernel == Kernel::resolve && !plan_.write_in_place)
+        read_tile(slot.queue, slot.buffers.planes, step.output, tile_of(slot), film_, slot.busy);
     ++slot.step;
     slot.item = 0;
 }
@@ -243,25 +245,6 @@ void Scheduler::look_up_albedos(const Tile& tile, Slot& slot) {
     queue_.enqueueWriteBuffer(slot.buffers.albedos, CL_TRUE, 0, albedos.size() * sizeof(float), albedos.data());
 }
 
-void Scheduler::read_planes(Output output, const Tile& tile, Slot& slot) {
-    const auto x = static_cast<size_t>(tile.x), y = static_cast<size_t>(tile.y), value = sizeof(float);
-    const auto tile_width = static_cast<size_t>(tile.blocks_x) * BLOCK_SIDE, width = static_cast<size_t>(film_.width);
-    const auto tile_height = static_cast<size_t>(tile.blocks / tile.blocks_x) * BLOCK_SIDE;
-    const std::array<size_t, 3> region{std::min(tile_width, width - x) * value,
-                                       std::min(tile_height, static_cast<size_t>(film_.height) - y), 1};
-    const std::vector<cl::Event> resolved = slot.busy;
-    size_t c = 0;
-    for (const auto& [data, bytes] : planes_of(film_, output)) {
-        cl::Event done;
-        slot.queue.enqueueReadBufferRect(slot.buffers.planes[c++], CL_FALSE, {0, 0, 0}, {x * value, y, 0}, region,
-                                         tile_width * value, 0, width * value, 0, data, &resolved, &done);
-        slot.busy.push_back(done);
-    }
-    cl::Event all;
-    slot.queue.enqueueMarkerWithWaitList(&slot.busy, &all);
-    slot.busy = {all};
-}
-
 void Scheduler::count_hits(const std::vector<int>& of_blocks) {
     for (size_t tile = 0; tile < first_blocks_.size(); ++tile) {
         const auto begin = of_blocks.begin() + first_blocks_[tile], end = begin + plan_.tiles[tile].blocks;
@@ -281,19 +264,6 @@ void Scheduler::ended(int tag, int64_t items, double seconds) {
     done_items_ += items;
     share_ = tiles_->done(this, static_cast<double>(done_items_) / static_cast<double>(last_items_));
     if (tell_) (*tell_)(share_);
-}
-
-/// A buffer over host memory shows its values there once it is mapped (OpenCL 1.2, 5.2.1); on a device that shares the
-/// memory that copies nothing.
-void Scheduler::map_film() {
-    std::vector<std::pair<cl::Buffer, void*>> mapped;
-    for (const Output output : {Output::radiance, Output::distance, Output::normal, Output::id})
-        for (const cl::Buffer& plane : binder_->planes(output)) {
-            const size_t bytes = plane.getInfo<CL_MEM_SIZE>();
-            mapped.emplace_back(plane, queue_.enqueueMapBuffer(plane, CL_FALSE, CL_MAP_READ, 0, bytes));
-        }
-    queue_.finish();
-    for (const auto& [plane, at] : mapped) queue_.enqueueUnmapMemObject(plane, at);
 }
 
 }  // namespace gnomon

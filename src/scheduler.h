@@ -75,10 +75,8 @@ class Scheduler {
     void end_step(const Step& step, Slot& slot);
     void launch_chunks(const Step& step, Slot& slot);
     void look_up_albedos(const Tile& tile, Slot& slot);
-    void read_planes(Output output, const Tile& tile, Slot& slot);
     void count_hits(const std::vector<int>& of_blocks);
     void ended(int tag, int64_t items, double seconds);
-    void map_film();
 
     cl::CommandQueue queue_;                 // of the whole device
     std::vector<cl::CommandQueue> workers_;  // on which tiles run
