@@ -54,7 +54,7 @@ Scheduler::Scheduler(const Workers& workers, const DeviceMemory& memory, const P
       pace_(pace),
       units_(workers.units(plan.workers)),
       film_(film),
-      undecided_(memory, plan, plan.certified ? blocks_of(plan) : 1) {
+      undecided_(memory, plan, blocks_of(plan)) {
     for (const TileBuffers& buffers : tiles) {
         const size_t worker = slots_.size() % workers_.size();
         slots_.push_back({worker, workers_[worker], buffers, {}, 0, plan.steps.size(), 0});

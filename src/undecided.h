@@ -13,7 +13,7 @@ namespace gnomon {
 /// On the device.
 class UndecidedRays {
   public:
-    /// For the rays of so many blocks of such a plan; not cleared.
+    /// For the rays of so many blocks of such a plan; not cleared. Of pictures that are not certified there are none.
     UndecidedRays(const DeviceMemory& memory, const Plan& plan, int blocks);
 
     /// Sets none; `busy` then holds the end of it too.
