@@ -27,7 +27,7 @@ void put(Film& film, size_t at, const Pixel& pixel) {
 void decide_exactly(const Scene& scene, bool shadows, const std::vector<int>& pixels, double unit, Film& film,
                     const Stop* stop) {
     if (pixels.empty()) return;
-    const exact::Decider decider(scene, shadows);
+    exact::Decider decider(scene, shadows);
     for (const int at : pixels) {
         check(stop);
         const exact::Pixel pixel = decider.decide(at % film.width, at / film.width);

@@ -41,15 +41,6 @@ Vector cross(const Vector& a, const Vector& b) {
 double middle(const Interval& x) { return static_cast<double>(median(x)); }
 Vec3 middle(const Vector& v) { return {middle(v.x), middle(v.y), middle(v.z)}; }
 
-Vector eye_ray(const Scene& scene, int i, int j) {
-    const Camera& c = scene.camera;
-    const Vector z = unit(Vector(c.at) - Vector(c.eye)), x = unit(cross(Vector(c.up), z)), y = cross(z, x);
-    const Interval pi = atan(Interval(1)) * 4, half_pixel = tan(Interval(c.fov) * pi / 360) / scene.image.height;
-    const Interval right = half_pixel * (2 * i + 1 - scene.image.width),
-                   up = half_pixel * (scene.image.height - 1 - 2 * j);
-    return unit(z + x * right + y * up);
-}
-
 bool same(const Sphere& a, const Sphere& b) {
     return a.radius == b.radius && a.center.x == b.center.x && a.center.y == b.center.y && a.center.z == b.center.z;
 }
@@ -71,7 +62,7 @@ class Attempt {
 
     Pixel look(const Vector& dir, const std::vector<int32_t>& candidates) const {
         constexpr double infinity = std::numeric_limits<double>::infinity();
-        Pixel pixel{-1, infinity, {infinity, infinity, infinity}, {0, 0, 0}, 0};
+        Pixel pixel{-1, infinity, {infinity, infinity, infinity}, {0, 0, 0}};
         const std::optional<Hit> hit = closest_hit(dir, candidates);
         if (!hit) return pixel;
         const Sphere& sphere = spheres_[static_cast<size_t>(hit->id)];
@@ -192,21 +183,44 @@ int digits(int bits) { return static_cast<int>(bits * 0.30103) + 1; }
 
 }  // namespace
 
+struct Eye {
+    explicit Eye(const Scene& scene)
+        : image(scene.image),
+          z(unit(Vector(scene.camera.at) - Vector(scene.camera.eye))),
+          x(unit(cross(Vector(scene.camera.up), z))),
+          y(cross(z, x)),
+          half_pixel(tan(Interval(scene.camera.fov) * (atan(Interval(1)) * 4) / 360) / image.height) {}
+
+    Vector ray(int i, int j) const {
+        const Interval right = half_pixel * (2 * i + 1 - image.width), up = half_pixel * (image.height - 1 - 2 * j);
+        return unit(z + x * right + y * up);
+    }
+
+    ImageSize image;
+    Vector z, x, y;
+    Interval half_pixel;  // at distance 1
+};
+
+/// At the default precision, which is of so many bits.
+const Eye& Decider::eye(int bits) {
+    std::shared_ptr<const Eye>& made = eyes_[bits];
+    if (!made) made = std::make_shared<const Eye>(scene_);
+    return *made;
+}
+
 Decider::Decider(const Scene& scene, bool shadows) : scene_(scene), shadows_(shadows) {
     spheres_.reserve(static_cast<size_t>(sphere_count(scene)));
     for_each_sphere(scene, 0, sphere_count(scene), [&](int64_t, const Sphere& s) { spheres_.push_back(s); });
 }
 
-Pixel Decider::decide(int i, int j) const {
+Pixel Decider::decide(int i, int j) {
     std::vector<int32_t> candidates;
-    for (int bits = least_bits;; bits *= 2) {
+    for (int bits = least_bits;; bits = bits < patient_bits ? 2 * bits : most_bits) {
         Interval::default_precision(static_cast<unsigned>(digits(bits)));
-        const Vector dir = eye_ray(scene_, i, j);
+        const Vector dir = eye(bits).ray(i, j);
         if (bits == least_bits) candidates = near_line(spheres_, scene_.camera.eye, middle(dir));
         try {
-            Pixel pixel = Attempt(scene_, spheres_, shadows_, bits >= most_bits).look(dir, candidates);
-            pixel.bits = bits;
-            return pixel;
+            return Attempt(scene_, spheres_, shadows_, bits >= most_bits).look(dir, candidates);
         } catch (const Unsettled&) {
             // the next attempt has twice as many
         }
