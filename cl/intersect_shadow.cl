@@ -8,19 +8,9 @@
 // LANES neighbouring rays against the spheres that their fat ray may meet.
 #include "shadow.h"
 
-kernel void intersect_shadow(global const real* restrict positions, global const real* restrict normals,
-                             global const int* restrict ids, global const PencilCluster* restrict clusters,
-                             global const Node* restrict nodes, global real* restrict arrivals,
-#if BOXES
-                             global const HitsBox* restrict boxes,
-#endif
-#if CERTIFIED
-                             global const real* restrict doubts, global uint* undecided,
-#endif
-#if OWN_DOUBTS
-                             global const real* restrict position_doubts,
-#endif
-                             const LightPencil light, const Pass pass, const int first_item) {
+kernel void intersect_shadow(HITS_GIVEN, global const PencilCluster* restrict clusters,
+                             global const Node* restrict nodes, global real* restrict arrivals, const LightPencil light,
+                             const Pass pass, const int first_item) {
     const int item = first_item + (int)get_global_id(0);
     if (item >= pass.items) return;
     realw share[PACKETS];

@@ -26,21 +26,31 @@ typedef struct {
     global const real* position_doubts;
 #endif
 } Hits;
+// A kernel takes HITS_GIVEN as its first arguments; HITS_READ is what they are.
 #if BOXES
+#define BOXES_GIVEN , global const HitsBox* restrict boxes
 #define BOXES_READ .boxes = boxes,
 #else
+#define BOXES_GIVEN
 #define BOXES_READ
 #endif
 #if CERTIFIED
+#define DOUBTS_GIVEN , global const real *restrict doubts, global uint *undecided
 #define DOUBTS_READ .doubts = doubts, .undecided = undecided,
 #else
+#define DOUBTS_GIVEN
 #define DOUBTS_READ
 #endif
 #if OWN_DOUBTS
+#define OWN_DOUBTS_GIVEN , global const real* restrict position_doubts
 #define OWN_DOUBTS_READ .position_doubts = position_doubts,
 #else
+#define OWN_DOUBTS_GIVEN
 #define OWN_DOUBTS_READ
 #endif
+#define HITS_GIVEN                                                              \
+    global const real *restrict positions, global const real *restrict normals, \
+        global const int *restrict ids BOXES_GIVEN DOUBTS_GIVEN OWN_DOUBTS_GIVEN
 #define HITS_READ \
     { .positions = positions, .normals = normals, .ids = ids, BOXES_READ DOUBTS_READ OWN_DOUBTS_READ }
 

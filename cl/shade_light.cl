@@ -64,8 +64,7 @@ APART void shade(const Shaded* at, const LightPencil* light, const Pass* pass, c
 #endif
 }
 
-kernel void shade_light(global const real* restrict positions, global const real* restrict normals,
-                        global const int* restrict ids,
+kernel void shade_light(HITS_GIVEN,
 #if SHADOWS != SHADOWS_OFF
                         global real* arrivals,
 #endif
@@ -73,15 +72,6 @@ kernel void shade_light(global const real* restrict positions, global const real
                         global const float* restrict albedos, global real* radiance,
 #if RESOLVES
                         global int* plane0, global int* plane1, global int* plane2,
-#endif
-#if BOXES
-                        global const HitsBox* restrict boxes,
-#endif
-#if CERTIFIED
-                        global const real* restrict doubts, global uint* undecided,
-#endif
-#if OWN_DOUBTS
-                        global const real* restrict position_doubts,
 #endif
                         const LightPencil light, const Pass pass, const Shading shading, const int first_item) {
     const int place = first_item + (int)get_global_id(0);

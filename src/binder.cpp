@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "arguments.h"
 #include "film_planes.h"
 
 namespace gnomon {
@@ -42,12 +41,8 @@ void Binder::bind(cl::Kernel& kernel, const TileLaunch& launch) const {
                 .add(scene_.eye, scene_.eye_basis, pass(launch));
             break;
         case Kernel::intersect_shadow:
-            Arguments(kernel)
-                .add(b.positions, b.normals, b.ids, launch.spheres->clusters, launch.spheres->nodes, b.arrivals)
-                .add_if(plan_.boxes, b.boxes)
-                .add_if(plan_.certified, undecided_.doubts(), undecided_.words())
-                .add_if(plan_.keeps_doubts(), b.position_doubts)
-                .add(light(launch).pencil, pass(launch));
+            hits(kernel, launch)
+                .add(launch.spheres->clusters, launch.spheres->nodes, b.arrivals, light(launch).pencil, pass(launch));
             break;
         case Kernel::shade_light:
             bind_shade_light(kernel, launch);
@@ -62,16 +57,23 @@ void Binder::bind(cl::Kernel& kernel, const TileLaunch& launch) const {
 
 void Binder::bind_shade_light(cl::Kernel& kernel, const TileLaunch& launch) const {
     const TileBuffers& b = launch.buffers;
-    Arguments arguments(kernel);
-    arguments.add(b.positions, b.normals, b.ids)
-        .add_if(plan_.shadows != Shadows::off, b.arrivals)
+    Arguments arguments = hits(kernel, launch);
+    arguments.add_if(plan_.shadows != Shadows::off, b.arrivals)
         .add(launch.spheres->clusters, launch.spheres->nodes)
         .add(albedos(launch).values, b.radiance);
     if (!plan_.resolve_radiance) arguments.add(plane(launch, 0), plane(launch, 1), plane(launch, 2));
-    arguments.add_if(plan_.boxes, b.boxes)
+    arguments.add(light(launch).pencil, pass(launch), shading(launch));
+}
+
+/// What intersect_closest wrote, which kernels take first (HITS_GIVEN in cl/receivers.h).
+Arguments Binder::hits(cl::Kernel& kernel, const TileLaunch& launch) const {
+    const TileBuffers& b = launch.buffers;
+    Arguments arguments(kernel);
+    arguments.add(b.positions, b.normals, b.ids)
+        .add_if(plan_.boxes, b.boxes)
         .add_if(plan_.certified, undecided_.doubts(), undecided_.words())
-        .add_if(plan_.keeps_doubts(), b.position_doubts)
-        .add(light(launch).pencil, pass(launch), shading(launch));
+        .add_if(plan_.keeps_doubts(), b.position_doubts);
+    return arguments;
 }
 
 void Binder::bind_resolve(cl::Kernel& kernel, const TileLaunch& launch) const {

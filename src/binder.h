@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "arguments.h"
 #include "buffers.h"
 #include "film.h"
 #include "plan.h"
@@ -36,6 +37,7 @@ class Binder {
   private:
     void bind_shade_light(cl::Kernel& kernel, const TileLaunch& launch) const;
     void bind_resolve(cl::Kernel& kernel, const TileLaunch& launch) const;
+    Arguments hits(cl::Kernel& kernel, const TileLaunch& launch) const;
     const LightBuffers& light(const TileLaunch& launch) const;
     AlbedoBuffer albedos(const TileLaunch& launch) const;
     Pass pass(const TileLaunch& launch) const;

@@ -86,6 +86,12 @@ struct HitBuffers {
           ids(bench, hits.ids),
           boxes(bench, boxes_around(packed(hits.positions()), hits.ids)),
           spheres(bench, light.spheres) {}
+    /// The first arguments of a kernel that reads hits.
+    Arguments given(cl::Kernel& kernel, bool with_boxes) const {
+        Arguments arguments(kernel);
+        arguments.add(positions.buffer(), normals.buffer(), ids.buffer()).add_if(with_boxes, boxes.buffer());
+        return arguments;
+    }
     void check_unchanged() const {
         positions.check_unchanged();
         normals.check_unchanged();
@@ -105,10 +111,8 @@ inline std::vector<float> arrival(Bench& bench, Width w, const Receivers& hits, 
     const Variant variant{Kernel::intersect_shadow,
                           w.defines({light.define, "WALK=" + light.spheres.walk, "CHUNKS=0", define_boxes(boxes)})};
     cl::Kernel kernel = bench.programs.get(variant).kernel;
-    Arguments(kernel)
-        .add(in.positions.buffer(), in.normals.buffer(), in.ids.buffer(), in.spheres.clusters.buffer(),
-             in.spheres.nodes.buffer(), result.buffer())
-        .add_if(boxes, in.boxes.buffer())
+    in.given(kernel, boxes)
+        .add(in.spheres.clusters.buffer(), in.spheres.nodes.buffer(), result.buffer())
         .add(light.pencil, Pass{{}, items, 0, light.spheres.levels, light.spheres.last, 1, 0, light.group_depth, 0},
              cl_int(0));
     bench.launch_bound(kernel, items);
@@ -184,12 +188,10 @@ inline std::vector<float> shade(Bench& bench, Width w, const Scene& scene, const
                     light.group_depth,
                     0};
     cl::Kernel kernel = bench.programs.get(variant).kernel;
-    Arguments(kernel)
-        .add(in.positions.buffer(), in.normals.buffer(), in.ids.buffer())
+    in.given(kernel, boxes)
         .add_if(shading.shadows != "SHADOWS_OFF", arriving.buffer())
         .add(in.spheres.clusters.buffer(), in.spheres.nodes.buffer(), albedos.buffer(), radiance.buffer())
         .add_if(resolved != nullptr, planes[0].buffer(), planes[1].buffer(), planes[2].buffer())
-        .add_if(boxes, in.boxes.buffer())
         .add(light.pencil, pass, shading_of(shading, light), cl_int(0));
     bench.launch_bound(kernel, items);
     in.check_unchanged();
