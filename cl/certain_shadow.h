@@ -12,7 +12,6 @@
 typedef struct {
     LightDoubt doubt;
     real curvature, base;
-    Undecided undecided;
 } Certainty;
 
 // The normal is off by what the position is, the centre's rounding, u |f| <= u (t + r), and its own, over the radius;
@@ -27,7 +26,7 @@ INLINE Certainty certainty_of(Hits hits, LightPencil light, Pass pass, int item)
     const int place = doubts_place(pass.first_block, item);
     const real curvature = hits.doubts[place + 1], base = pass.base_doubt;
     const LightDoubt doubt = doubt_at(light, hits.doubts[place], curvature, base);
-    return (Certainty){doubt, curvature, base, {hits.undecided, pass.first_block}};
+    return (Certainty){doubt, curvature, base};
 }
 
 // Which of the hits in `open`, bits of the work-item, may not face the light by their own doubts. They are few, and
@@ -158,8 +157,8 @@ INLINE ulong trace_certainly(Hits hits, Hierarchy hierarchy, LightPencil light, 
 
 // Once nothing is read any more: before, what a work-item may not need would have to be read as well, since this
 // writes.
-INLINE void leave_open(ulong open, Certainty certainty, int item) {
-    if (UNLIKELY(open)) leave_undecided(open, certainty.undecided, item);
+INLINE void leave_open(ulong open, Hits hits, Pass pass, int item) {
+    leave_undecided(open, (Undecided){hits.undecided, pass.first_block}, item);
 }
 
 #else
@@ -167,7 +166,7 @@ typedef struct {
     int nothing;
 } Certainty;
 INLINE Certainty certainty_of(Hits hits, LightPencil light, Pass pass, int item) { return (Certainty){0}; }
-INLINE void leave_open(ulong open, Certainty certainty, int item) {}
+INLINE void leave_open(ulong open, Hits hits, Pass pass, int item) {}
 #endif
 
 #endif

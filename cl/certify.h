@@ -166,7 +166,7 @@ INLINE void keep_doubts(realw position, realw curvature, global real* doubts, in
 #endif
 
 INLINE void leave_undecided(ulong rays, Undecided undecided, int item) {
-    if (!rays) return;
+    if (!UNLIKELY(rays)) return;
     const uint first = (uint)item * (LANES * PACKETS);
     global uint* word = undecided.words + undecided.first_block * (BLOCK_RAYS / 32) + first / 32;
     atomic_or(word, (uint)rays << first % 32);

@@ -29,6 +29,6 @@ kernel void intersect_shadow(HITS_GIVEN, global const PencilCluster* restrict cl
 #endif
         open = face_light(hits, light, certainty, item, ray, share);
     open |= trace_shadows(hits, hierarchy, light, ray, pass.group_depth, item, share, certainty);
-    leave_open(open, certainty, item);
+    leave_open(open, hits, pass, item);
     FOR_PACKETS(k) store_r(share[k], arrival, item, k);
 }

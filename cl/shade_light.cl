@@ -36,7 +36,7 @@ APART void shade(const Shaded* at, const LightPencil* light, const Pass* pass, c
 #if SHADOWS == SHADOWS_TRACED
         open |= trace_shadows(at->hits, at->hierarchy, *light, ray, pass->group_depth, item, share, certainty);
 #endif
-        leave_open(open, certainty, item);
+        leave_open(open, at->hits, *pass, item);
 #endif
         if (pass->arrival >= 0) {
             FOR_PACKETS(k) store_r(share[k], arrival_of(at->arrivals, *pass, pass->arrival), item, k);

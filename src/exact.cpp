@@ -222,7 +222,7 @@ Pixel Decider::decide(int i, int j) {
         try {
             return Attempt(scene_, spheres_, shadows_, bits >= most_bits).look(dir, candidates);
         } catch (const Unsettled&) {
-            // the next attempt has twice as many
+            // the next attempt has more
         }
     }
 }

@@ -10,6 +10,9 @@
 #include <sstream>
 #include <string>
 
+#include "catch.h"
+#include "scenes.h"
+
 namespace gnomon::test {
 
 /// A folder of a test's own, gone with the object.
@@ -72,6 +75,19 @@ inline Ran run_program(const std::string& arguments, const std::string& environm
                                 arguments + " >" + quoted(out) + " 2>" + quoted(err) + " </dev/null";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(out), read_file(err)};
+}
+
+/// Bad usage or input, and a message that says so.
+inline void check_refused(const Ran& ran, const std::string& expected) {
+    INFO(ran.err);
+    CHECK(ran.code == 2);
+    CHECK(contains(ran.err, expected));
+}
+
+/// The same, and nothing was printed before.
+inline void check_refused_at_once(const Ran& ran, const std::string& expected) {
+    check_refused(ran, expected);
+    CHECK(ran.out.empty());
 }
 
 inline std::string example_path(const std::string& name) {

@@ -20,6 +20,12 @@ constexpr double u = 1.0 / (1 << 24);
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
+inline void check_vec(Vec3 found, Vec3 expected) {
+    CHECK(found.x == expected.x);
+    CHECK(found.y == expected.y);
+    CHECK(found.z == expected.z);
+}
+
 /// The message of the Error with this exit code that the action must end in.
 template <class Action>
 std::string refusal(int exit_code, Action action) {

@@ -15,12 +15,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void check_refused(const Ran& ran, const std::string& expected) {
-    INFO(ran.err);
-    CHECK(ran.code == 2);
-    CHECK(contains(ran.err, expected));
-}
-
 /// A scene that keeps any device busy for long: 4096 x 4096 rays and as many to each lamp, 40000 spheres each.
 std::string long_scene() {
     std::string spheres, lights;

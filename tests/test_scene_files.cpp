@@ -16,12 +16,6 @@ namespace {
 
 const std::string examples = std::string(GNOMON_SOURCE_DIR) + "/examples/";
 
-void check_vec(Vec3 found, Vec3 expected) {
-    CHECK(found.x == expected.x);
-    CHECK(found.y == expected.y);
-    CHECK(found.z == expected.z);
-}
-
 }  // namespace
 
 TEST_CASE("the examples load", "[scene_io]") {

@@ -37,12 +37,6 @@ std::string scene_refusal(const std::string& text) {
     return refusal(2, [&] { parse_scene(text, "s.json"); });
 }
 
-void check_vec(Vec3 found, Vec3 expected) {
-    CHECK(found.x == expected.x);
-    CHECK(found.y == expected.y);
-    CHECK(found.z == expected.z);
-}
-
 void check_rgb(Rgb found, Rgb expected) {
     check_vec({found.r, found.g, found.b}, {expected.r, expected.g, expected.b});
 }
