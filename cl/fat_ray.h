@@ -67,9 +67,10 @@ INLINE int candidates(FatRay fat, global const PencilCluster* c) {
         const floatb reach = bounds_at(c->reach, first);
         const floatb a = dot_b(fat.plane[0], f), b = dot_b(fat.plane[1], f);
         const floatb d = dot_b(fat.plane[2], f), e = dot_b(fat.plane[3], f);
-        const intb misses =
-            (a > reach) | (b > reach) | (d > reach) | (e > reach) | (dot_b(fat.axis, f) - reach > fat.distance);
-        kept |= bound_bits(!misses) << first;
+        const floatb begins = dot_b(fat.axis, f) - reach;
+        const intb misses = EXCEEDS(a, reach) | EXCEEDS(b, reach) | EXCEEDS(d, reach) | EXCEEDS(e, reach) |
+                            EXCEEDS(begins, fat.distance);
+        kept |= bits_of_others(misses) << first;
     }
     return kept;
 }
@@ -78,10 +79,10 @@ INLINE int candidates(FatRay fat, global const PencilCluster* c) {
 INLINE int node_candidates(FatRay fat, global const Node* n) {
     int kept = 0;
     for (int first = 0; first < CLUSTER; first += BOUND_LANES) {
-        const intb misses = (bounds_at(n->x0, first) > fat.x1) | (bounds_at(n->x1, first) < fat.x0) |
-                            (bounds_at(n->y0, first) > fat.y1) | (bounds_at(n->y1, first) < fat.y0) |
-                            (bounds_at(n->depth, first) > fat.distance) | (ids_at(n->child, first) < 0);
-        kept |= bound_bits(!misses) << first;
+        const intb misses = EXCEEDS(bounds_at(n->x0, first), fat.x1) | EXCEEDS(fat.x0, bounds_at(n->x1, first)) |
+                            EXCEEDS(bounds_at(n->y0, first), fat.y1) | EXCEEDS(fat.y0, bounds_at(n->y1, first)) |
+                            EXCEEDS(bounds_at(n->depth, first), fat.distance) | (ids_at(n->child, first) < 0);
+        kept |= bits_of_others(misses) << first;
     }
     return kept;
 }

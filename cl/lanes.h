@@ -109,23 +109,29 @@ REDUCE_BY_HALVES(most, float, MORE)
 #endif
 
 // A mask of bounds as bits, and whether a mask of reals has any lane. Where clang compiles for the CPU itself, one
-// instruction (from a mask register) or a horizontal builtin takes the place of the halves; by way of SPIR-V neither
-// has a translation.
+// instruction (from a mask register, or of signs) or a horizontal builtin takes the place of the halves; by way of
+// SPIR-V neither has a translation.
+#if CLANG_TO_MACHINE && defined(__AVX__)
+INLINE int bits_of_8(int8 mask) { return __builtin_ia32_movmskps256(as_float8(mask)); }
+#endif
 #if CLANG_TO_MACHINE && defined(__AVX512DQ__)
 INLINE int bits_of_16(int16 mask) { return (ushort)__builtin_ia32_cvtd2mask512(mask); }
+#elif CLANG_TO_MACHINE && defined(__AVX__)
+INLINE int bits_of_16(int16 mask) { return bits_of_8(mask.lo) | bits_of_8(mask.hi) << 8; }
 #else
 INLINE int bits_of_16(int16 mask) { return or_of_16(mask & (int16)(1) << INDEX_OF_16); }
 #endif
-#if CLANG_TO_MACHINE && LANES == 16 && defined(__AVX512DQ__)
-INLINE int lane_bits(intw mask) { return bits_of_16(mask); }
-INLINE int any_lane(wholew mask) { return lane_bits(ints_of(mask)); }
+#if CLANG_TO_MACHINE && LANES >= 8 && defined(__AVX__)
+INLINE int lane_bits(intw mask) { return CONCAT(bits_of_, LANES)(mask); }
 #else
 INLINE int lane_bits(intw mask) { return REDUCE(or, mask & ((intw)(1) << LANE_INDEX)); }
-#if CLANG_TO_MACHINE && LANES > 1
+#endif
+#if CLANG_TO_MACHINE && LANES == 16 && defined(__AVX512DQ__)
+INLINE int any_lane(wholew mask) { return lane_bits(ints_of(mask)); }
+#elif CLANG_TO_MACHINE && LANES > 1
 INLINE int any_lane(wholew mask) { return __builtin_reduce_or(mask) != 0; }
 #else
 INLINE int any_lane(wholew mask) { return REDUCE(or, ints_of(mask)); }
-#endif
 #endif
 
 // a where the mask holds, else b. In OpenCL C that is `mask ? a : b`, of which clang makes and, or and not of bits
@@ -210,6 +216,23 @@ typedef struct {
 INLINE floatb dot_b(Float3 a, float3b b) {
     return fma((floatb)(a.x), b.x, fma((floatb)(a.y), b.y, (floatb)(a.z) * b.z));
 }
+
+// a > b, for masks that are combined. Without AVX-512's mask registers LLVM would pack them to words and bytes, combine
+// those and widen the result again, which is half of what it costs to hold a cluster against a ray; it does not where
+// it does not see that they are masks.
+#define EXCEEDS(a, b) whole_lanes((a) > (b))
+INLINE intb whole_lanes(intb mask) {
+#if CLANG_TO_MACHINE && defined(__AVX__) && !defined(__AVX512F__)
+    int8 lo = mask.lo, hi = mask.hi;
+    __asm__("" : "+x"(lo), "+x"(hi));
+    return (intb)(lo, hi);
+#else
+    return mask;
+#endif
+}
+
+// Those for which the mask does not hold, as bits.
+INLINE int bits_of_others(intb mask) { return ~bound_bits(mask) & ((1 << BOUND_LANES) - 1); }
 
 INLINE Float3 float3_of(Real3 a) { return (Float3){(float)a.x, (float)a.y, (float)a.z}; }
 

@@ -101,9 +101,9 @@ INLINE int shadow_candidates(FatShadowRay fat, global const PencilCluster* c) {
     for (int first = 0; first < CLUSTER; first += BOUND_LANES) {
         const floatb x = floats_at(c->x, first), y = floats_at(c->y, first), z = floats_at(c->z, first);
         const floatb reach = bounds_at(c->reach, first);
-        const intb misses = (x - reach > fat.x1) | (x + reach < fat.x0) | (y - reach > fat.y1) | (y + reach < fat.y0) |
-                            (z + reach < fat.back);
-        kept |= bound_bits(!misses) << first;
+        const intb misses = EXCEEDS(x - reach, fat.x1) | EXCEEDS(fat.x0, x + reach) | EXCEEDS(y - reach, fat.y1) |
+                            EXCEEDS(fat.y0, y + reach) | EXCEEDS(fat.back, z + reach);
+        kept |= bits_of_others(misses) << first;
     }
     return kept;
 }
@@ -115,10 +115,10 @@ INLINE int shadow_ball_candidates(FatShadowRay fat, global const PencilCluster* 
 INLINE int shadow_node_candidates(FatShadowRay fat, global const Node* n) {
     int kept = 0;
     for (int first = 0; first < CLUSTER; first += BOUND_LANES) {
-        const intb misses = (bounds_at(n->x0, first) > fat.x1) | (bounds_at(n->x1, first) < fat.x0) |
-                            (bounds_at(n->y0, first) > fat.y1) | (bounds_at(n->y1, first) < fat.y0) |
-                            (bounds_at(n->depth, first) < fat.back) | (ids_at(n->child, first) < 0);
-        kept |= bound_bits(!misses) << first;
+        const intb misses = EXCEEDS(bounds_at(n->x0, first), fat.x1) | EXCEEDS(fat.x0, bounds_at(n->x1, first)) |
+                            EXCEEDS(bounds_at(n->y0, first), fat.y1) | EXCEEDS(fat.y0, bounds_at(n->y1, first)) |
+                            EXCEEDS(fat.back, bounds_at(n->depth, first)) | (ids_at(n->child, first) < 0);
+        kept |= bits_of_others(misses) << first;
     }
     return kept;
 }

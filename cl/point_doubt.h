@@ -145,7 +145,7 @@ INLINE int certain_shadow_candidates(FatShadowRay fat, RayDoubt doubt, global co
         const float3b f = {floats_at(c->x, first), floats_at(c->y, first), floats_at(c->z, first)};
         const floatb begin = dot_b(fat.axis, f) - 1.125f * bounds_at(c->reach, first);
         const intb beyond = fma((floatb)(-slope), fabs(f.x) + fabs(f.y) + fabs(f.z), begin) > farthest;
-        kept |= bound_bits(!beyond) << first;
+        kept |= bits_of_others(beyond) << first;
     }
     return kept & candidates(fat, c);
 }

@@ -25,9 +25,10 @@ INLINE realw sphere_discriminant(PencilSphere s, vec3w dir, realw b) {
 }
 
 // Whether the line meets the sphere anywhere at t > 0, as far as a D tells that may be off by `edge`: seen from outside
-// the centre must lie ahead.
+// the centre must lie ahead. No b is <= NaN; one that is NaN has such a D.
 INLINE wholew may_meet(PencilSphere s, realw b, realw discriminant, real edge) {
-    return (discriminant >= wide(-edge)) & ((b > 0.0f) | (wide(s.power) <= 0.0f));
+    const real behind = s.power <= 0 ? NAN : 0;
+    return (discriminant >= wide(-edge)) & !(b <= wide(behind));
 }
 
 // The smallest root > 0 of a line that meets the sphere. Roots of equal sign are never subtracted: the one of larger
@@ -37,7 +38,7 @@ INLINE realw sphere_root(PencilSphere s, realw b, realw discriminant) {
     const realw root = square_root(discriminant);
     const realw q = choose(b > 0.0f, b + root, b - root);
     const realw other = divide(wide(s.power), q);
-    return choose((wide(s.power) > 0.0f) | (b <= 0.0f), other, q);
+    return choose(b <= wide(s.power > 0 ? INFINITY : 0), other, q);
 }
 
 #endif
