@@ -1,5 +1,6 @@
-// Embree the way it is fastest on these scenes: point spheres, packets of 4 x 4 pixels from the eye's ray to
-// the film without a buffer between, no shadow ray where a light is behind the surface, denormals flushed.
+// Embree the way it is fastest on these scenes: point spheres, packets of 4 x 4 pixels (of 4 x 2 without AVX-512) from
+// the eye's ray to the film without a buffer between, no shadow ray where a light is behind the surface, denormals
+// flushed.
 #if GNOMON_EMBREE == 4
 #include <embree4/rtcore.h>
 #else
@@ -37,6 +38,15 @@ class FlushDenormals {
 #endif
 };
 
+#ifdef __AVX512F__
+#define OF_PACKET(name) name##16
+#else
+#define OF_PACKET(name) name##8
+#endif
+using RayHits = OF_PACKET(RTCRayHit);
+using Rays = OF_PACKET(RTCRay);
+using Hits = OF_PACKET(RTCHit);
+
 #if GNOMON_EMBREE == 4
 /// What a thread hands over with each query.
 struct Queries {
@@ -47,8 +57,8 @@ struct Queries {
         rtcInitOccludedArguments(&any);
         closest.flags = any.flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
     }
-    void intersect(RTCScene s, const Mask& valid, RTCRayHit16& p) { rtcIntersect16(valid.v, s, &p, &closest); }
-    void occluded(RTCScene s, const Mask& valid, RTCRay16& p) { rtcOccluded16(valid.v, s, &p, &any); }
+    void intersect(RTCScene s, const Mask& valid, RayHits& p) { OF_PACKET(rtcIntersect)(valid.v, s, &p, &closest); }
+    void occluded(RTCScene s, const Mask& valid, Rays& p) { OF_PACKET(rtcOccluded)(valid.v, s, &p, &any); }
 };
 #else
 struct Queries {
@@ -57,8 +67,8 @@ struct Queries {
         rtcInitIntersectContext(&context);
         context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     }
-    void intersect(RTCScene s, const Mask& valid, RTCRayHit16& p) { rtcIntersect16(valid.v, s, &context, &p); }
-    void occluded(RTCScene s, const Mask& valid, RTCRay16& p) { rtcOccluded16(valid.v, s, &context, &p); }
+    void intersect(RTCScene s, const Mask& valid, RayHits& p) { OF_PACKET(rtcIntersect)(valid.v, s, &context, &p); }
+    void occluded(RTCScene s, const Mask& valid, Rays& p) { OF_PACKET(rtcOccluded)(valid.v, s, &context, &p); }
 };
 #endif
 
@@ -92,7 +102,7 @@ class Embree : public Peer {
     template <bool Whole>
     void render_packet(int i, int j, Queries& queries, Film& film, Arrivals* arrivals) const;
     template <bool Whole>
-    void store(int i, int j, const Lanes3& light, const RTCHit16& hit, Film& film) const;
+    void store(int i, int j, const Lanes3& light, const Hits& hit, Film& film) const;
 
     std::vector<float> spheres_, albedos_;
     size_t albedo_stride_ = 3;  ///< 0: all have one
@@ -160,8 +170,8 @@ bool Embree::render(Film& film, Arrivals* arrivals, double limit) {
         const FlushDenormals flush;
         Queries queries(coherent_);
         const int left = block % columns * block_width, top = block / columns * block_height;
-        for (int j = top; j < std::min(top + block_height, film.height); j += packet_side)
-            for (int i = left; i < std::min(left + block_width, film.width); i += packet_side)
+        for (int j = top; j < std::min(top + block_height, film.height); j += packet_rows)
+            for (int i = left; i < std::min(left + block_width, film.width); i += packet_columns)
                 render_packet<Whole>(i, j, queries, film, arrivals);
     });
     return !late;
@@ -170,7 +180,7 @@ bool Embree::render(Film& film, Arrivals* arrivals, double limit) {
 /// Notes that these of a packet's pixels see the light.
 void note(Arrivals& arrivals, const Film& film, int i, int j, size_t light, const Lanes& share) {
     for (int k = 0; k < packet_rays; ++k) {
-        const int x = i + k % packet_side, y = j + k / packet_side;
+        const int x = i + k % packet_columns, y = j + k / packet_columns;
         if (share[k] <= 0 || x >= film.width || y >= film.height) continue;
         const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(film.width) + static_cast<size_t>(x);
         arrivals.bits[pixel * arrivals.words + light / 64] |= uint64_t{1} << light % 64;
@@ -178,7 +188,7 @@ void note(Arrivals& arrivals, const Film& film, int i, int j, size_t light, cons
 }
 
 /// A packet that asks for the closest hits of all its rays.
-void clear(RTCHit16& hit, Mask& valid) {
+void clear(Hits& hit, Mask& valid) {
     for (int k = 0; k < packet_rays; ++k) {
         valid.v[k] = -1;
         hit.geomID[k] = hit.primID[k] = hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
@@ -186,7 +196,7 @@ void clear(RTCHit16& hit, Mask& valid) {
 }
 
 /// What arrives of one light, added to the sum. Embree has set tfar of an occluded ray to minus infinity.
-void add(const Float3& phi, const Mask& valid, const RTCRay16& shadow, Lanes& share, Lanes3& sum) {
+void add(const Float3& phi, const Mask& valid, const Rays& shadow, Lanes& share, Lanes3& sum) {
     for (int k = 0; k < packet_rays; ++k) {
         share[k] = valid.v[k] != 0 && shadow.tfar[k] >= 0 ? share[k] : 0;
         sum.x[k] += share[k] * phi.x, sum.y[k] += share[k] * phi.y, sum.z[k] += share[k] * phi.z;
@@ -195,8 +205,8 @@ void add(const Float3& phi, const Mask& valid, const RTCRay16& shadow, Lanes& sh
 
 template <bool Whole>
 void Embree::render_packet(int i, int j, Queries& queries, Film& film, Arrivals* arrivals) const {
-    alignas(64) RTCRayHit16 packet;
-    alignas(64) RTCRay16 shadow;
+    alignas(64) RayHits packet;
+    alignas(64) Rays shadow;
     Mask valid;
     Surface surface;
     Lanes share;
@@ -215,18 +225,18 @@ void Embree::render_packet(int i, int j, Queries& queries, Film& film, Arrivals*
 }
 
 template <bool Whole>
-void Embree::store(int i, int j, const Lanes3& light, const RTCHit16& hit, Film& film) const {
+void Embree::store(int i, int j, const Lanes3& light, const Hits& hit, Film& film) const {
     Lanes3 albedo;
     for (int k = 0; k < packet_rays; ++k) {
         const bool is_hit = hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
         const float* rgb = &albedos_[is_hit ? albedo_stride_ * hit.primID[k] : 0];
         albedo.x[k] = rgb[0], albedo.y[k] = rgb[1], albedo.z[k] = rgb[2];
     }
-    const int columns = std::min(packet_side, film.width - i), rows = std::min(packet_side, film.height - j);
+    const int columns = std::min(packet_columns, film.width - i), rows = std::min(packet_rows, film.height - j);
     for (int row = 0; row < rows; ++row) {
         const size_t first = static_cast<size_t>(j + row) * static_cast<size_t>(film.width) + static_cast<size_t>(i);
         for (int column = 0; column < columns; ++column) {
-            const int k = row * packet_side + column;
+            const int k = row * packet_columns + column;
             const size_t pixel = first + static_cast<size_t>(column);
             film.radiance[0][pixel] = light.x[k] * albedo.x[k];
             film.radiance[1][pixel] = light.y[k] * albedo.y[k];

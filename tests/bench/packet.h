@@ -1,5 +1,5 @@
-// 16 neighbouring pixels: their rays, what these hit and how it is lit, in plain loops over the 16 that a compiler
-// turns into vectors. For embree.cpp alone, which is compiled for the machine that it is built on.
+// Neighbouring pixels, as many as a vector holds: their rays, what these hit and how it is lit, in plain loops that a
+// compiler turns into vectors. For embree.cpp alone, which is compiled for the machine that it is built on.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,13 @@
 
 namespace bench {
 
-constexpr int packet_side = 4, packet_rays = packet_side * packet_side;
+// Embree takes packets wider than the CPU's vectors apart, ray by ray.
+#ifdef __AVX512F__
+constexpr int packet_columns = 4, packet_rows = 4;
+#else
+constexpr int packet_columns = 4, packet_rows = 2;
+#endif
+constexpr int packet_rays = packet_columns * packet_rows;
 
 struct alignas(64) Lanes {
     float v[packet_rays];
@@ -71,7 +77,7 @@ inline PeerLight light_of(const gnomon::Light& light) {
     return {false, to_float3(normalize(sun.direction_to_light)), rgb(sun.irradiance)};
 }
 
-/// A ray or packet of Embree's that starts afresh. `Ray` is RTCRay16 of either version.
+/// A ray or packet of Embree's that starts afresh. `Ray` is RTCRay8 or RTCRay16 of either version.
 template <class Ray>
 void begin(Ray& ray, int k) {
     ray.tnear[k] = 0;
@@ -86,8 +92,8 @@ void begin(Ray& ray, int k) {
 template <class Ray>
 void aim(const View& view, int i, int j, Ray& ray) {
     for (int k = 0; k < packet_rays; ++k) {
-        const float x = static_cast<float>(2 * (i + k % packet_side) + 1) * view.per_column - 1;
-        const float y = 1 - static_cast<float>(2 * (j + k / packet_side) + 1) * view.per_row;
+        const float x = static_cast<float>(2 * (i + k % packet_columns) + 1) * view.per_column - 1;
+        const float y = 1 - static_cast<float>(2 * (j + k / packet_columns) + 1) * view.per_row;
         const float dx = view.ahead.x + x * view.across.x + y * view.up.x;
         const float dy = view.ahead.y + x * view.across.y + y * view.up.y;
         const float dz = view.ahead.z + x * view.across.z + y * view.up.z;
