@@ -12,9 +12,10 @@ typedef struct {
 
 // That of packet k's first ray.
 INLINE Pixel first_pixel(Tile tile, int item, int k) {
-    // Unsigned, so that dividing by powers of two is shifting.
-    const uint ray = ((uint)item * PACKETS + (uint)k) * LANES, block = ray / BLOCK_RAYS, inside = ray % BLOCK_RAYS,
-               row = block / (uint)tile.blocks_x, column = block - row * (uint)tile.blocks_x;
+    // Unsigned, so that dividing by powers of two is shifting. All packets lie in one block, which is found once.
+    const uint first = (uint)item * (LANES * PACKETS), block = first / BLOCK_RAYS,
+               inside = first % BLOCK_RAYS + (uint)(k * LANES), row = block / (uint)tile.blocks_x,
+               column = block - row * (uint)tile.blocks_x;
     return (Pixel){tile.x + (int)(column * BLOCK_SIDE + inside % BLOCK_SIDE),
                    tile.y + (int)(row * BLOCK_SIDE + inside / BLOCK_SIDE)};
 }
@@ -23,9 +24,8 @@ INLINE Pixel first_pixel(Tile tile, int item, int k) {
 #define RIGHT_OF(eye, i) (2 * (i) + 1 - (eye).width)
 #define UP_OF(eye, j) ((eye).height - 1 - 2 * (j))
 
-// The unit directions of pixels.
-INLINE vec3w eye_ray(EyePencil eye, intw i, intw j) {
-    const realw right = convert_realw(RIGHT_OF(eye, i)), up = convert_realw(UP_OF(eye, j));
+// The unit directions of pixels so far from the middle.
+INLINE vec3w eye_ray(EyePencil eye, realw right, realw up) {
     const vec3w along = fma_w(right, broadcast(eye.right), fma_w(up, broadcast(eye.up), broadcast(eye.forward)));
     return scale_w(divide(wide(1.0f), square_root(dot_w(along, along))), along);
 }
@@ -34,8 +34,9 @@ INLINE vec3w eye_ray(EyePencil eye, intw i, intw j) {
 INLINE vec3w eye_rays(EyePencil eye, Tile tile, int item, int k) {
     const Pixel first = first_pixel(tile, item, k);
     const intw i = first.i + LANE_INDEX % BLOCK_SIDE, j = first.j + LANE_INDEX / BLOCK_SIDE;
-    const intw inside = (i < eye.width) & (j < eye.height);
-    return select_w(wholes_of(inside), eye_ray(eye, i, j), broadcast((Real3){NAN, NAN, NAN}));
+    const realw right = choose(wholes_of(i < eye.width), convert_realw(RIGHT_OF(eye, i)), wide(NAN)),
+                up = choose(wholes_of(j < eye.height), convert_realw(UP_OF(eye, j)), wide(NAN));
+    return eye_ray(eye, right, up);
 }
 
 INLINE float dot_3(Float3 a, Float3 b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }

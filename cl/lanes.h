@@ -135,7 +135,8 @@ INLINE int any_lane(wholew mask) { return REDUCE(or, ints_of(mask)); }
 #endif
 
 // a where the mask holds, else b. In OpenCL C that is `mask ? a : b`, of which clang makes and, or and not of bits
-// where a, b are vectors; told so, it blends, keeps masks in mask registers, and sees a minimum in LESS_WHERE.
+// where a, b are vectors; told so, it blends, keeps masks in mask registers if there are any, and sees a minimum in
+// LESS_WHERE.
 #if CLANG_TO_MACHINE && LANES == 16 && defined(__AVX512DQ__) && !REAL_IS_DOUBLE
 #define BLEND(which, mask, a, b) which((ushort)lane_bits(mask), a, b)
 INLINE floatw __attribute__((overloadable)) choose(intw mask, floatw a, floatw b) {
@@ -143,6 +144,13 @@ INLINE floatw __attribute__((overloadable)) choose(intw mask, floatw a, floatw b
 }
 INLINE intw __attribute__((overloadable)) choose(intw mask, intw a, intw b) {
     return as_intw(BLEND(__builtin_ia32_selectd_512, mask, a, b));
+}
+#elif CLANG_TO_MACHINE && LANES == 8 && defined(__AVX__) && !REAL_IS_DOUBLE
+INLINE floatw __attribute__((overloadable)) choose(intw mask, floatw a, floatw b) {
+    return __builtin_ia32_blendvps256(b, a, as_floatw(mask));
+}
+INLINE intw __attribute__((overloadable)) choose(intw mask, intw a, intw b) {
+    return as_intw(choose(mask, as_floatw(a), as_floatw(b)));
 }
 #else
 #define choose(mask, a, b) ((mask) ? (a) : (b))
@@ -165,8 +173,12 @@ INLINE intw lanes_of_bits(int bits) { return ((intw)(bits) >> LANE_INDEX & 1) !=
 // One lane's value.
 #define LANE_OF(v, lane) (((const real*)&(v))[lane])
 
-// The position of the lowest bit set.
+// The position of the lowest bit set, of which there is one.
+#if CLANG_TO_MACHINE
+INLINE int lowest_bit(int mask) { return __builtin_ctz((uint)mask); }
+#else
 INLINE int lowest_bit(int mask) { return 31 - clz(mask & -mask); }
+#endif
 
 // Three components of LANES rays.
 typedef struct {

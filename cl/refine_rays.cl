@@ -13,6 +13,7 @@ kernel void refine_rays(const EyePencil eye, global const int* restrict places, 
     if (item >= items) return;
     if (item % 32 == 0) undecided[item / 32] = 0;
     const int place = item < count ? places[first + item] : 0;
-    const vec3w dir = eye_ray(eye, place % eye.width, place / eye.width);
+    const vec3w dir =
+        eye_ray(eye, convert_realw(RIGHT_OF(eye, place % eye.width)), convert_realw(UP_OF(eye, place / eye.width)));
     store_3(item < count ? dir : broadcast((Real3){NAN, NAN, NAN}), dirs, item, 0);
 }
