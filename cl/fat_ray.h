@@ -68,9 +68,9 @@ INLINE int candidates(FatRay fat, global const PencilCluster* c) {
         const floatb a = dot_b(fat.plane[0], f), b = dot_b(fat.plane[1], f);
         const floatb d = dot_b(fat.plane[2], f), e = dot_b(fat.plane[3], f);
         const floatb begins = dot_b(fat.axis, f) - reach;
-        const intb misses = EXCEEDS(a, reach) | EXCEEDS(b, reach) | EXCEEDS(d, reach) | EXCEEDS(e, reach) |
-                            EXCEEDS(begins, fat.distance);
-        kept |= bits_of_others(misses) << first;
+        const Beyond beside =
+            either(either(EXCEEDS(a, reach), EXCEEDS(b, reach)), either(EXCEEDS(d, reach), EXCEEDS(e, reach)));
+        kept |= bits_within(either(EXCEEDS(begins, fat.distance), beside)) << first;
     }
     return kept;
 }
@@ -79,10 +79,11 @@ INLINE int candidates(FatRay fat, global const PencilCluster* c) {
 INLINE int node_candidates(FatRay fat, global const Node* n) {
     int kept = 0;
     for (int first = 0; first < CLUSTER; first += BOUND_LANES) {
-        const intb misses = EXCEEDS(bounds_at(n->x0, first), fat.x1) | EXCEEDS(fat.x0, bounds_at(n->x1, first)) |
-                            EXCEEDS(bounds_at(n->y0, first), fat.y1) | EXCEEDS(fat.y0, bounds_at(n->y1, first)) |
-                            EXCEEDS(bounds_at(n->depth, first), fat.distance) | (ids_at(n->child, first) < 0);
-        kept |= bits_of_others(misses) << first;
+        const Beyond x = either(EXCEEDS(bounds_at(n->x0, first), fat.x1), EXCEEDS(fat.x0, bounds_at(n->x1, first)));
+        const Beyond y = either(EXCEEDS(bounds_at(n->y0, first), fat.y1), EXCEEDS(fat.y0, bounds_at(n->y1, first)));
+        const Beyond z =
+            either(EXCEEDS(bounds_at(n->depth, first), fat.distance), beyond_where(ids_at(n->child, first) < 0));
+        kept |= bits_within(either(either(x, y), z)) << first;
     }
     return kept;
 }

@@ -229,22 +229,26 @@ INLINE floatb dot_b(Float3 a, float3b b) {
     return fma((floatb)(a.x), b.x, fma((floatb)(a.y), b.y, (floatb)(a.z) * b.z));
 }
 
-// a > b, for masks that are combined. Without AVX-512's mask registers LLVM would pack them to words and bytes, combine
-// those and widen the result again, which is half of what it costs to hold a cluster against a ray; it does not where
-// it does not see that they are masks.
-#define EXCEEDS(a, b) whole_lanes((a) > (b))
-INLINE intb whole_lanes(intb mask) {
+// Which bounds lie beyond others, EXCEEDS(a, b) for a > b, and `either` of two such. Without AVX-512's mask registers
+// LLVM packs masks that are combined to words and bytes and widens the result again, which is half of what it costs to
+// hold a cluster against a ray: there it is by how much, a - b, of which the larger is kept, or the second where one is
+// NaN (inf - inf).
 #if CLANG_TO_MACHINE && defined(__AVX__) && !defined(__AVX512F__)
-    int8 lo = mask.lo, hi = mask.hi;
-    __asm__("" : "+x"(lo), "+x"(hi));
-    return (intb)(lo, hi);
+typedef floatb Beyond;
+#define EXCEEDS(a, b) ((a) - (b))
+INLINE Beyond either(Beyond a, Beyond b) { return a > b ? a : b; }
+INLINE Beyond beyond_where(intb mask) { return mask ? (floatb)(INFINITY) : (floatb)(-INFINITY); }
+INLINE intb mask_of(Beyond beyond) { return beyond > 0.0f; }
 #else
-    return mask;
+typedef intb Beyond;
+#define EXCEEDS(a, b) ((a) > (b))
+INLINE Beyond either(Beyond a, Beyond b) { return a | b; }
+INLINE Beyond beyond_where(intb mask) { return mask; }
+INLINE intb mask_of(Beyond beyond) { return beyond; }
 #endif
-}
 
-// Those for which the mask does not hold, as bits.
-INLINE int bits_of_others(intb mask) { return ~bound_bits(mask) & ((1 << BOUND_LANES) - 1); }
+// Those that lie beyond nothing, as bits.
+INLINE int bits_within(Beyond beyond) { return ~bound_bits(mask_of(beyond)) & ((1 << BOUND_LANES) - 1); }
 
 INLINE Float3 float3_of(Real3 a) { return (Float3){(float)a.x, (float)a.y, (float)a.z}; }
 

@@ -101,9 +101,9 @@ INLINE int shadow_candidates(FatShadowRay fat, global const PencilCluster* c) {
     for (int first = 0; first < CLUSTER; first += BOUND_LANES) {
         const floatb x = floats_at(c->x, first), y = floats_at(c->y, first), z = floats_at(c->z, first);
         const floatb reach = bounds_at(c->reach, first);
-        const intb misses = EXCEEDS(x - reach, fat.x1) | EXCEEDS(fat.x0, x + reach) | EXCEEDS(y - reach, fat.y1) |
-                            EXCEEDS(fat.y0, y + reach) | EXCEEDS(fat.back, z + reach);
-        kept |= bits_of_others(misses) << first;
+        const Beyond beside_x = either(EXCEEDS(x - reach, fat.x1), EXCEEDS(fat.x0, x + reach));
+        const Beyond beside_y = either(EXCEEDS(y - reach, fat.y1), EXCEEDS(fat.y0, y + reach));
+        kept |= bits_within(either(either(beside_x, beside_y), EXCEEDS(fat.back, z + reach))) << first;
     }
     return kept;
 }
@@ -115,10 +115,11 @@ INLINE int shadow_ball_candidates(FatShadowRay fat, global const PencilCluster* 
 INLINE int shadow_node_candidates(FatShadowRay fat, global const Node* n) {
     int kept = 0;
     for (int first = 0; first < CLUSTER; first += BOUND_LANES) {
-        const intb misses = EXCEEDS(bounds_at(n->x0, first), fat.x1) | EXCEEDS(fat.x0, bounds_at(n->x1, first)) |
-                            EXCEEDS(bounds_at(n->y0, first), fat.y1) | EXCEEDS(fat.y0, bounds_at(n->y1, first)) |
-                            EXCEEDS(fat.back, bounds_at(n->depth, first)) | (ids_at(n->child, first) < 0);
-        kept |= bits_of_others(misses) << first;
+        const Beyond x = either(EXCEEDS(bounds_at(n->x0, first), fat.x1), EXCEEDS(fat.x0, bounds_at(n->x1, first)));
+        const Beyond y = either(EXCEEDS(bounds_at(n->y0, first), fat.y1), EXCEEDS(fat.y0, bounds_at(n->y1, first)));
+        const Beyond z =
+            either(EXCEEDS(fat.back, bounds_at(n->depth, first)), beyond_where(ids_at(n->child, first) < 0));
+        kept |= bits_within(either(either(x, y), z)) << first;
     }
     return kept;
 }

@@ -144,8 +144,8 @@ INLINE int certain_shadow_candidates(FatShadowRay fat, RayDoubt doubt, global co
     for (int first = 0; first < CLUSTER; first += BOUND_LANES) {
         const float3b f = {floats_at(c->x, first), floats_at(c->y, first), floats_at(c->z, first)};
         const floatb begin = dot_b(fat.axis, f) - 1.125f * bounds_at(c->reach, first);
-        const intb beyond = fma((floatb)(-slope), fabs(f.x) + fabs(f.y) + fabs(f.z), begin) > farthest;
-        kept |= bits_of_others(beyond) << first;
+        const floatb surely = fma((floatb)(-slope), fabs(f.x) + fabs(f.y) + fabs(f.z), begin);
+        kept |= bits_within(EXCEEDS(surely, farthest)) << first;
     }
     return kept & candidates(fat, c);
 }
