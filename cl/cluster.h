@@ -34,6 +34,13 @@ INLINE floatb floats_at(global const real* values, int first) {
 }
 INLINE intb ids_at(global const int* values, int first) { return *(global const intb*)(values + first); }
 
+// Which children of a node lie beside a rectangle, or are none.
+INLINE Beyond children_beside(global const Node* n, int first, float x0, float x1, float y0, float y1) {
+    const Beyond x = either(EXCEEDS(bounds_at(n->x0, first), x1), EXCEEDS(x0, bounds_at(n->x1, first)));
+    const Beyond y = either(EXCEEDS(bounds_at(n->y0, first), y1), EXCEEDS(y0, bounds_at(n->y1, first)));
+    return either(either(x, y), beyond_where(ids_at(n->child, first) < 0));
+}
+
 // The places that hold a sphere, as bits.
 INLINE int filled(global const PencilCluster* c) {
     int places = 0;

@@ -79,11 +79,8 @@ INLINE int candidates(FatRay fat, global const PencilCluster* c) {
 INLINE int node_candidates(FatRay fat, global const Node* n) {
     int kept = 0;
     for (int first = 0; first < CLUSTER; first += BOUND_LANES) {
-        const Beyond x = either(EXCEEDS(bounds_at(n->x0, first), fat.x1), EXCEEDS(fat.x0, bounds_at(n->x1, first)));
-        const Beyond y = either(EXCEEDS(bounds_at(n->y0, first), fat.y1), EXCEEDS(fat.y0, bounds_at(n->y1, first)));
-        const Beyond z =
-            either(EXCEEDS(bounds_at(n->depth, first), fat.distance), beyond_where(ids_at(n->child, first) < 0));
-        kept |= bits_within(either(either(x, y), z)) << first;
+        const Beyond beside = children_beside(n, first, fat.x0, fat.x1, fat.y0, fat.y1);
+        kept |= bits_within(either(EXCEEDS(bounds_at(n->depth, first), fat.distance), beside)) << first;
     }
     return kept;
 }

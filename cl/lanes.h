@@ -232,7 +232,8 @@ INLINE floatb dot_b(Float3 a, float3b b) {
 // Which bounds lie beyond others, EXCEEDS(a, b) for a > b, and `either` of two such. Without AVX-512's mask registers
 // LLVM packs masks that are combined to words and bytes and widens the result again, which is half of what it costs to
 // hold a cluster against a ray: there it is by how much, a - b, of which the larger is kept, or the second where one is
-// NaN (inf - inf).
+// NaN (inf - inf). A difference is above 0 only if a > b, since rounding is monotonic; where it is flushed to 0, or is
+// NaN, what lies beyond is kept, as what is near may be.
 #if CLANG_TO_MACHINE && defined(__AVX__) && !defined(__AVX512F__)
 typedef floatb Beyond;
 #define EXCEEDS(a, b) ((a) - (b))

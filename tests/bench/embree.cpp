@@ -38,11 +38,6 @@ class FlushDenormals {
 #endif
 };
 
-#ifdef __AVX512F__
-#define OF_PACKET(name) name##16
-#else
-#define OF_PACKET(name) name##8
-#endif
 using RayHits = OF_PACKET(RTCRayHit);
 using Rays = OF_PACKET(RTCRay);
 using Hits = OF_PACKET(RTCHit);

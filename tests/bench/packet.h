@@ -13,8 +13,10 @@ namespace bench {
 // Embree takes packets wider than the CPU's vectors apart, ray by ray.
 #ifdef __AVX512F__
 constexpr int packet_columns = 4, packet_rows = 4;
+#define OF_PACKET(name) name##16
 #else
 constexpr int packet_columns = 4, packet_rows = 2;
+#define OF_PACKET(name) name##8
 #endif
 constexpr int packet_rays = packet_columns * packet_rows;
 
