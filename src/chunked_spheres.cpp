@@ -1,5 +1,7 @@
 #include "chunked_spheres.h"
 
+#include "chunk_rows.h"
+
 namespace gnomon {
 
 namespace {

@@ -4,15 +4,19 @@
 #include <cstdint>
 #include <vector>
 
-#include "sphere_rows.h"
+#include "scene.h"
+#include "survey.h"
 
 namespace gnomon {
 
 /// Coincident spheres are always in one chunk, so that which of them counts does not depend on the cut.
 struct Partition {
-    std::vector<uint16_t> chunk_of;  ///< of each id
-    std::vector<int64_t> sizes;      ///< of each chunk
-    std::vector<int64_t> early;      ///< how many of each chunk are in the first half of the ids
+    /// Of each block's ids (id_blocks.h) those in chunk 0, then those in chunk 1, ..., ascending, from the block's
+    /// first on.
+    std::vector<uint16_t> places;
+    /// Where in a block those of each chunk begin and the last ones end: chunks() + 1 numbers a block.
+    std::vector<uint32_t> starts;
+    std::vector<int64_t> sizes;  ///< of each chunk
 
     int chunks() const { return static_cast<int>(sizes.size()); }
 };
@@ -21,8 +25,5 @@ struct Partition {
 /// more, it is cut by a hash of the spheres. One pass over the spheres, two where a cell is cut. Throws
 /// Error(Blame::run) when more spheres coincide than fit a chunk.
 Partition cut_into_chunks(const Scene& scene, const Survey& survey, const Frame& frame, int64_t capacity);
-
-/// The rows of one chunk, with their ids, in the order of these. `rows` may hold those of another: its memory is used.
-void rows_of_chunk(const Scene& scene, const Frame& frame, const Partition& partition, int chunk, SphereRows& rows);
 
 }  // namespace gnomon

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <set>
 
+#include "chunk_rows.h"
 #include "crowds.h"
+#include "id_blocks.h"
 #include "partition.h"
 
 using namespace gnomon;
@@ -61,40 +63,59 @@ void check_same_in_chunks(Renderer& renderer, const Scene& scene) {
 
 }  // namespace
 
+namespace {
+
+/// Rows have their sphere's numbers, and each sphere is in one chunk; returns which.
+std::vector<int> check_chunks(const Scene& scene, const Survey& spheres, int64_t capacity) {
+    const Frame frame = choose_frame(scene, spheres);
+    const Partition cut = cut_into_chunks(scene, spheres, frame, capacity);
+    std::vector<int> chunk_of(scene.spheres.size(), -1);
+    SphereRows rows;
+    int wrong = 0;
+    for (int chunk = 0; chunk < cut.chunks(); ++chunk) {
+        rows_of_chunk(scene, frame, cut, chunk, rows);
+        CHECK(rows.count <= capacity);
+        CHECK(rows.count == static_cast<int64_t>(rows.ids.size()));
+        CHECK(std::is_sorted(rows.ids.begin(), rows.ids.end()));
+        for (size_t i = 0; i < rows.ids.size(); ++i) {
+            const auto id = static_cast<size_t>(rows.ids[i]);
+            wrong += chunk_of[id] >= 0;
+            chunk_of[id] = chunk;
+            wrong += rows.rows[4 * i] != static_cast<float>(frame.place(scene.spheres[id].center).x);
+            wrong += rows.rows[4 * i + 3] != static_cast<float>(scene.spheres[id].radius);
+        }
+    }
+    CHECK(wrong == 0);
+    CHECK(std::count(chunk_of.begin(), chunk_of.end(), -1) == 0);
+    return chunk_of;
+}
+
+}  // namespace
+
 TEST_CASE("chunks: each sphere is in one, coincident ones in the same, none is too large", "[chunks]") {
     for (const Crowd crowd : crowds)
         for (const int64_t capacity : {100, 1000, 100000}) {
             INFO(to_string(crowd) << ", " << capacity);
-            Scene scene = scene_of(crowd, 20000);
+            const Scene scene = scene_of(crowd, 20000);
+            const Survey spheres = survey(scene);
             if (crowd == Crowd::coincident && capacity < 20000 / 2) {  // a third is in each of three places
-                const Survey spheres = survey(scene);
                 CHECK(contains(refusal(1, [&] { cut_into_chunks(scene, spheres, choose_frame(scene, spheres), 5000); }),
                                "--memory"));
                 continue;
             }
-            const Survey spheres = survey(scene);
-            const Frame frame = choose_frame(scene, spheres);
-            const Partition cut = cut_into_chunks(scene, spheres, frame, capacity);
-            int64_t all = 0;
-            SphereRows rows;
-            for (int chunk = 0; chunk < cut.chunks(); ++chunk) {
-                rows_of_chunk(scene, frame, cut, chunk, rows);
-                CHECK(rows.count <= capacity);
-                CHECK(std::is_sorted(rows.ids.begin(), rows.ids.end()));
-                int wrong = 0;
-                for (size_t i = 0; i < rows.ids.size(); ++i) {
-                    const auto id = static_cast<size_t>(rows.ids[i]);
-                    wrong += cut.chunk_of[id] != chunk;
-                    wrong += rows.rows[4 * i] != static_cast<float>(frame.place(scene.spheres[id].center).x);
-                    wrong += rows.rows[4 * i + 3] != static_cast<float>(scene.spheres[id].radius);
-                }
-                CHECK(wrong == 0);
-                all += rows.count;
-            }
-            CHECK(all == 20000);
+            const std::vector<int> chunk_of = check_chunks(scene, spheres, capacity);
             if (crowd != Crowd::coincident) continue;
-            for (size_t id = 3; id < 20000; ++id) CHECK(cut.chunk_of[id] == cut.chunk_of[id % 3]);
+            for (size_t id = 3; id < 20000; ++id) CHECK(chunk_of[id] == chunk_of[id % 3]);
         }
+}
+
+TEST_CASE("chunks: blocks of ids, the last one not full", "[chunks]") {
+    for (const Crowd crowd : {Crowd::strewn, Crowd::teapot_in_a_stadium}) {
+        const Scene scene = scene_of(crowd, 4 * id_block + 100);
+        const Survey spheres = survey(scene);
+        check_chunks(scene, spheres, 20000);
+        check_chunks(scene, spheres, 3000);  // of a teapot's cells, some are cut
+    }
 }
 
 TEST_CASE("chunks: no bit depends on them", "[chunks]") {
