@@ -6,6 +6,8 @@
 #ifndef GNOMON_HILBERT_H
 #define GNOMON_HILBERT_H
 
+#include "real.h"
+
 #define HILBERT_BITS 10
 
 // Spreads the low 10 bits of v to every third bit.

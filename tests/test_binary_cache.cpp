@@ -101,6 +101,17 @@ TEST_CASE("the second run takes the first one's kernels, and draws the same pict
     CHECK(run_program("diff " + (folder / "first.exr") + " " + (folder / "second.exr")).code == 0);
 }
 
+TEST_CASE("compilers have nothing to remark on kernels of large scenes", "[binary_cache][cli]") {
+    for (const std::string accuracy : {"strict", "certified", "double"}) {
+        INFO(accuracy);
+        const TempFolder folder, pocl;
+        const Ran ran = render_small("--quiet --accuracy " + accuracy + " -o " + (folder / "a.exr"),
+                                     "GNOMON_CACHE_DIR= POCL_CACHE_DIR=" + quoted(pocl.path()), "sphereflake.json");
+        CHECK(ran.code == 0);
+        CHECK(ran.err.empty());
+    }
+}
+
 TEST_CASE("kernels that were damaged on disk are built again", "[binary_cache][cli]") {
     const TempFolder folder, cache;
     kernels_from(folder, "first.exr", cache.path());
