@@ -43,9 +43,10 @@ INLINE int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Boun
 #endif
     const real kept = 1 - LESS(1.0625f * STEEPEST * bounds->steep, MOST_OFF);  // of t, at least
     FOR_PACKETS(k) {
-        const realw t = sphere_root(s, b[k], discriminant[k]);
-        const wholew plain = near[k] & (discriminant[k] > off.plain), closer = plain & (t < hit[k].t);
-        const realw loser = kept * choose(closer, hit[k].t, choose(plain, t, wide(INFINITY)));
+        const wholew plain = near[k] & (discriminant[k] > off.plain);
+        const realw t = choose(plain, sphere_root(s, b[k], discriminant[k]), wide(INFINITY));
+        const wholew closer = t < hit[k].t;
+        const realw loser = kept * choose(t > hit[k].t, t, hit[k].t);
         const realw other = choose(near[k] & !plain, b[k] - off.back, loser);
         bounds->other[k] = choose(other < bounds->other[k], other, bounds->other[k]);
         hit[k].t = choose(closer, t, hit[k].t);
@@ -66,8 +67,66 @@ INLINE realw reaches(Hit hit) { return fma(hit.t, wide(MOST_OFF), hit.t); }
 
 // Whether it is certain what the ray meets, if that may be off by so much: whatever else there is begins beyond. A miss
 // must have met nothing at all. What is added to t's own doubt (position_doubt) is nothing beside it.
-INLINE wholew is_certain(wholew hits, Hit hit, realw other, realw off) {
-    return other > choose(hits, hit.t + off, wide(MAXFLOAT));
+INLINE wholew is_certain(Hit hit, realw other, realw off) {
+    const realw reach = hit.t + off;
+    return other > choose(reach < MAXFLOAT, reach, wide(MAXFLOAT));
+}
+
+// What lights must know of the hits that are certain: the most of each lane.
+typedef struct {
+    realw position, curvature;
+} HitDoubts;
+
+// Hits of which little needs to be asked to see that all are certain: none is steep, and nothing is near. Steepness 16
+// may count as 18 (reciprocal_bound), which leaves t off by less than (1.3 * 40 * 18 + 60) u + base < 2^-14 t + base.
+#define EASY_OFF 0x1p-14f
+#if REAL_IS_DOUBLE
+#define EASY_COSINE INFINITY  // of few rays each is asked
+#else
+#define EASY_COSINE 0x1p-4f
+#endif
+typedef struct {
+    wholew hard;
+    realw t, cosine, curvature;  // the most, the least and the most of each lane
+} EasyHits;
+
+INLINE EasyHits no_hits(void) { return (EasyHits){0, wide(0.0f), wide(1.0f), wide(0.0f)}; }
+
+// What a miss has in place of a cosine and of a curvature, inf, NaN or 0, is no less and no more than the others'.
+INLINE void add_hit(EasyHits* all, Hit hit, realw other, realw cosine, realw curvature, real base) {
+    all->hard |= !is_certain(hit, other, fma(hit.t, wide(EASY_OFF), wide(base)));
+    all->t = MORE_WHERE(hit.id >= 0, hit.t, all->t);
+    all->cosine = choose(cosine < all->cosine, cosine, all->cosine);
+    all->curvature = choose(curvature > all->curvature, curvature, all->curvature);
+}
+
+INLINE int are_easy(EasyHits all) { return !any_lane(all.hard | (all.cosine < EASY_COSINE)); }
+
+INLINE HitDoubts easy_doubts(EasyHits all, real steep, real base) {
+    return (HitDoubts){position_doubt(all.t, all.cosine, steep, base), all.curvature};
+}
+
+// Of other work-items each hit is asked, as if nothing were known of it. The result is those that are undecided, as
+// bits of the work-item.
+INLINE ulong undecided_hits(const vec3w* dir, const Hit* hit, const Bounds* bounds, real base, HitDoubts* doubts) {
+    Packets own = copies_of(dir, hit);
+    realw other[PACKETS];
+    FOR_PACKETS(k) other[k] = bounds->other[k];
+    ulong open = 0;
+    HitDoubts most = {wide(0.0f), wide(0.0f)};
+    ONE_PACKET_AT_A_TIME(k) {
+        realw curvature;
+        const vec3w normal = outward_normal(own.hit[k], own.dir[k], &curvature);
+        const realw cosine = fabs(dot_w(own.dir[k], normal));
+        const realw off = position_doubt(own.hit[k].t, cosine, bounds->steep, base);
+        const wholew certain = is_certain(own.hit[k], other[k], off), valid = own.dir[k].x == own.dir[k].x;
+        const wholew counts = (own.hit[k].id >= 0) & certain;
+        open |= bits_of_packet(valid & !certain, k);
+        most.position = MORE_WHERE(counts, off, most.position);
+        most.curvature = MORE_WHERE(counts, curvature, most.curvature);
+    }
+    *doubts = most;
+    return open;
 }
 
 #endif

@@ -37,8 +37,8 @@ INLINE ulong facing_alone(Hits hits, LightPencil light, Certainty certainty, int
 #else
     ulong left = 0;
     ONE_PACKET_AT_A_TIME(k) {
-        const realw off = load_r(hits.position_doubts, item, k);
         const vec3w position = position_of(hits, item, k), normal = load_3(hits.normals, item, k);
+        const realw off = own_position_doubt(position, normal, certainty.base);
         const ShadowRay ray = shadow_ray(light, position);
         for (int rest = (int)(open >> k * LANES) & ALL_LANES; rest; rest &= rest - 1) {
             const int lane = lowest_bit(rest);
@@ -106,7 +106,8 @@ INLINE ulong trace_each_alone(Hits hits, Hierarchy hierarchy, LightPencil light,
     FOR_PACKETS(k) rays[k] = ray[k];
     ulong left = 0, closed = 0;
     ONE_PACKET_AT_A_TIME(k) {
-        const realw off = load_r(hits.position_doubts, item, k);
+        const vec3w position = position_of(hits, item, k), normal = load_3(hits.normals, item, k);
+        const realw off = own_position_doubt(position, normal, certainty.base);
         for (int rest = (int)(open >> k * LANES) & ALL_LANES; rest; rest &= rest - 1) {
             const int lane = lowest_bit(rest), id = hits.ids[lane_address(item, k, 0, 1) + (size_t)lane];
             const LightDoubt own = doubt_at(light, LANE_OF(off, lane), certainty.curvature, certainty.base);

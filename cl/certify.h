@@ -124,11 +124,21 @@ INLINE realw reciprocal_bound(realw x) {
 }
 
 // How far the position of a plain meeting may be off: by t's doubt along the ray and, the ray's turn and two roundings,
-// by 8 u t across it; 12 u t more is what a light's pencil rounds (parallel_pencil.h).
-INLINE realw position_doubt(realw t, vec3w dir, vec3w normal, real steep, real base) {
-    const realw x = reciprocal_bound(fabs(dot_w(dir, normal)));
-    return fma(t, fma(wide(1.3f * steep), x, wide(steep + 20 * ROUNDING)), wide(base));
+// by 8 u t across it; 12 u t more is what a light's pencil rounds (parallel_pencil.h). cosine: between ray and normal,
+// at least.
+INLINE realw position_doubt(realw t, realw cosine, real steep, real base) {
+    return fma(t, fma(wide(1.3f * steep), reciprocal_bound(cosine), wide(steep + 20 * ROUNDING)), wide(base));
 }
+
+#if !REAL_IS_DOUBLE
+// The same of a hit, as intersect_closest wrote it: its cosine is off by 4 u, 2^-13 of 1 / STEEPEST. What hits share is
+// by more above position_doubt, so that it is no less than any of them has.
+INLINE realw own_position_doubt(vec3w position, vec3w normal, real base) {
+    const realw t = square_root(dot_w(position, position));
+    return position_doubt(t, divide(fabs(dot_w(position, normal)), t), MOST_STEEP, base);
+}
+#define SHARED_DOUBT 1.01f
+#endif
 
 // The undecided rays of a picture: a bit each, 32 rays a word, those of a tile from that of first_block on.
 typedef struct {
@@ -138,9 +148,6 @@ typedef struct {
 
 // A mask of packet k as bits of its work-item.
 INLINE ulong bits_of_packet(wholew which, int k) { return (ulong)(uint)lane_bits(ints_of(which)) << (k * LANES); }
-
-// Where hits share doubts, each keeps how far its own position may be off, too.
-#define OWN_DOUBTS (CERTIFIED && DOUBT_RAYS > 1)
 
 #if CERTIFIED
 // What lights must know of hits that are not undecided, of DOUBT_RAYS neighbouring rays together (those of a block, or
@@ -155,6 +162,9 @@ INLINE int doubts_place(int first_block, int item) {
 #define MOST_OF(v) REDUCE(most, v)
 #endif
 INLINE void keep_doubts(realw position, realw curvature, global real* doubts, int place) {
+#if DOUBT_RAYS > 1
+    position *= SHARED_DOUBT;
+#endif
 #if LANES * PACKETS >= DOUBT_RAYS
     doubts[place] = MOST_OF(position);
     doubts[place + 1] = MOST_OF(curvature);

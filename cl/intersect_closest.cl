@@ -55,9 +55,6 @@ kernel void intersect_closest(
 #if CERTIFIED
     global real* restrict doubts, global uint* restrict undecided,
 #endif
-#if OWN_DOUBTS
-    global real* restrict position_doubts,
-#endif
     const EyePencil eye, const Basis basis, const Pass pass, const int first_item) {
     const int item = first_item + (int)get_global_id(0);
     if (item >= pass.items) return;
@@ -123,22 +120,13 @@ kernel void intersect_closest(
 #endif
     wholew hits = 0;
 #if CERTIFIED
-    ulong open = 0;
-    realw farthest_off = wide(0.0f), most_curved = wide(0.0f);
+    EasyHits easy = no_hits();
 #endif
     FOR_PACKETS(k) {
         realw inverse;
         vec3w normal = outward_normal(hit[k], dir[k], &inverse);
 #if CERTIFIED
-        const wholew hit_any = hit[k].id >= 0;
-        const realw off = position_doubt(hit[k].t, dir[k], normal, bounds.steep, base);
-        const wholew certain = is_certain(hit_any, hit[k], bounds.other[k], off);
-        open |= bits_of_packet(valid[k] & !certain, k);
-#if OWN_DOUBTS
-        store_r(off, position_doubts, item, k);
-#endif
-        farthest_off = MORE_WHERE(hit_any & certain, off, farthest_off);
-        most_curved = MORE_WHERE(hit_any & certain, inverse, most_curved);
+        add_hit(&easy, hit[k], bounds.other[k], fabs(dot_w(dir[k], normal)), inverse, base);
 #endif
         hits += choose(hit[k].id >= 0, (wholew)(1), (wholew)(0));
 #if CHUNKS
@@ -159,7 +147,10 @@ kernel void intersect_closest(
 #endif
 
 #if CERTIFIED
-    keep_doubts(farthest_off, most_curved, doubts, doubts_place(pass.first_block, item));
+    HitDoubts doubt = easy_doubts(easy, bounds.steep, base);
+    ulong open = 0;
+    if (!are_easy(easy)) open = undecided_hits(dir, hit, &bounds, base, &doubt);
+    keep_doubts(doubt.position, doubt.curvature, doubts, doubts_place(pass.first_block, item));
     leave_undecided(open, (Undecided){undecided, pass.first_block}, item);
 #endif
     count_hits(hit_counts + pass.first_block, item, REDUCE(count, ints_of(hits)));

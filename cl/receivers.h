@@ -22,9 +22,6 @@ typedef struct {
     global const real* doubts;
     global uint* undecided;
 #endif
-#if OWN_DOUBTS
-    global const real* position_doubts;
-#endif
 } Hits;
 // A kernel takes HITS_GIVEN as its first arguments; HITS_READ is what they are.
 #if BOXES
@@ -41,18 +38,11 @@ typedef struct {
 #define DOUBTS_GIVEN
 #define DOUBTS_READ
 #endif
-#if OWN_DOUBTS
-#define OWN_DOUBTS_GIVEN , global const real* restrict position_doubts
-#define OWN_DOUBTS_READ .position_doubts = position_doubts,
-#else
-#define OWN_DOUBTS_GIVEN
-#define OWN_DOUBTS_READ
-#endif
 #define HITS_GIVEN                                                              \
     global const real *restrict positions, global const real *restrict normals, \
-        global const int *restrict ids BOXES_GIVEN DOUBTS_GIVEN OWN_DOUBTS_GIVEN
+        global const int *restrict ids BOXES_GIVEN DOUBTS_GIVEN
 #define HITS_READ \
-    { .positions = positions, .normals = normals, .ids = ids, BOXES_READ DOUBTS_READ OWN_DOUBTS_READ }
+    { .positions = positions, .normals = normals, .ids = ids, BOXES_READ DOUBTS_READ }
 
 // What arrives of each of the lights that a launch of shade_light adds, one after the other.
 INLINE global real* arrival_of(global real* arrivals, Pass pass, int light) {

@@ -37,7 +37,6 @@ void Binder::bind(cl::Kernel& kernel, const TileLaunch& launch) const {
                 .add_if(plan_.boxes, b.boxes)
                 .add(hit_counts_)
                 .add_if(plan_.certified, undecided_.doubts(), undecided_.words())
-                .add_if(plan_.keeps_doubts(), b.position_doubts)
                 .add(scene_.eye, scene_.eye_basis, pass(launch));
             break;
         case Kernel::intersect_shadow:
@@ -71,8 +70,7 @@ Arguments Binder::hits(cl::Kernel& kernel, const TileLaunch& launch) const {
     Arguments arguments(kernel);
     arguments.add(b.positions, b.normals, b.ids)
         .add_if(plan_.boxes, b.boxes)
-        .add_if(plan_.certified, undecided_.doubts(), undecided_.words())
-        .add_if(plan_.keeps_doubts(), b.position_doubts);
+        .add_if(plan_.certified, undecided_.doubts(), undecided_.words());
     return arguments;
 }
 

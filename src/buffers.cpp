@@ -59,7 +59,6 @@ TileBuffers allocate_tile(const DeviceMemory& memory, const Plan& plan) {
     tile.ids = memory.room<int>(rays);
     if (plan.all_hits) tile.ts = reals(rays);
     if (plan.boxes) tile.boxes = memory.room<HitsBox>(plan.tile_blocks);
-    if (plan.keeps_doubts()) tile.position_doubts = reals(rays);
     if (const int arrivals = plan.arrivals(); arrivals > 0) tile.arrivals = reals(arrivals * rays);
     if (plan.uses(Kernel::shade_light)) tile.radiance = reals(3 * rays);
     if (plan.albedos_of_rays) tile.albedos = memory.room<float>(3 * rays);
@@ -90,7 +89,6 @@ TilePool::Shape TilePool::shape_of(const Plan& plan) {
             static_cast<size_t>(plan.arrivals()),
             size_t{plan.generate_rays},
             size_t{plan.all_hits},
-            size_t{plan.keeps_doubts()},
             size_t{plan.boxes},
             size_t{plan.uses(Kernel::shade_light)},
             size_t{plan.write_in_place},

@@ -47,7 +47,7 @@ SceneBuffers prepare(SphereKernels& kernels, const Scene& scene, const Survey& s
 
 /// Rays and hits of one tile, in block order; planes receives the film's part where it is not written in place.
 struct TileBuffers {
-    cl::Buffer dirs, positions, normals, ids, ts, position_doubts, boxes, arrivals, radiance, albedos, planes[3];
+    cl::Buffer dirs, positions, normals, ids, ts, boxes, arrivals, radiance, albedos, planes[3];
 };
 
 /// The tiles under way, allocated on first use and kept as long as plans have the same shape.
@@ -59,7 +59,7 @@ class TilePool {
     void clear();
 
   private:
-    using Shape = std::array<size_t, 11>;
+    using Shape = std::array<size_t, 10>;
     static Shape shape_of(const Plan& plan);
 
     std::vector<TileBuffers> tiles_;

@@ -46,8 +46,7 @@ int most_faces(const Scene& scene, const Survey& survey, const Frame& frame) {
     return most;
 }
 
-/// A bit for each ray, doubts for each block and each ray of the tiles and, while undecided ones are computed again,
-/// rays and views of doubles.
+/// A bit for each ray, doubts for each block and, while undecided ones are computed again, rays and views of doubles.
 int64_t certifying_bytes(const MemoryNeeds& needs) {
     SphereFootprint doubles = needs.sphere;
     doubles.real_bytes = 8;
@@ -57,8 +56,7 @@ int64_t certifying_bytes(const MemoryNeeds& needs) {
                (bytes_per_ray(real, needs.arrivals) + bytes_per_vector(real) + 2 * real + bit + place);
     };
     const int64_t doubts = needs.image_rays / BLOCK_RAYS * 2 * 4;
-    const int64_t own_doubts = needs.tiles_under_way * needs.tile_rays * needs.sphere.real_bytes;
-    return needs.image_rays / 8 + doubts + own_doubts + alone(8) + alone(4) + needs.views * doubles.view(needs.spheres);
+    return needs.image_rays / 8 + doubts + alone(8) + alone(4) + needs.views * doubles.view(needs.spheres);
 }
 
 void use(Tiling tiling, Plan& plan) {

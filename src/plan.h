@@ -113,9 +113,8 @@ struct Plan {
     bool albedos_of_rays = false;  ///< looked up by the host when all hits are known, since no chunk has all
 
     int rays_per_item() const { return lanes * packets; }
-    int items(Kernel kernel, const Tile& tile) const;                  ///< work-items of a launch
-    std::string walk() const;                                          ///< how rays meet the spheres: cl/types.h
-    bool keeps_doubts() const { return certified && doubt_rays > 1; }  ///< each hit's own, beside what they share
+    int items(Kernel kernel, const Tile& tile) const;  ///< work-items of a launch
+    std::string walk() const;                          ///< how rays meet the spheres: cl/types.h
     bool flat() const;                ///< so few spheres that the host puts them in clusters and in view: no nodes
     bool uses(Kernel kernel) const;   ///< some step launches it
     int arrivals() const;             ///< of so many lights at once the shares that arrive are kept
