@@ -29,49 +29,62 @@ INLINE Certainty certainty_of(Hits hits, LightPencil light, Pass pass, int item)
     return (Certainty){doubt, curvature, base};
 }
 
-// Which of the hits in `open`, bits of the work-item, may not face the light by their own doubts. They are few, and
-// make their rays anew: so those of hits that are not lit need not be made.
-INLINE ulong facing_alone(Hits hits, LightPencil light, Certainty certainty, int item, ulong open) {
-#if DOUBT_RAYS == 1
-    return open;
-#else
+// Which hits may not face the light by their own doubts, as bits of the work-item. Few work-items have any: they make
+// their rays anew, so that those of hits that are not lit need not be kept.
+INLINE ulong facing_alone(Hits hits, LightPencil light, Certainty certainty, int item) {
     ulong left = 0;
     ONE_PACKET_AT_A_TIME(k) {
         const vec3w position = position_of(hits, item, k), normal = load_3(hits.normals, item, k);
-        const realw off = own_position_doubt(position, normal, certainty.base);
         const ShadowRay ray = shadow_ray(light, position);
-        for (int rest = (int)(open >> k * LANES) & ALL_LANES; rest; rest &= rest - 1) {
+        const wholew hit = load_i(hits.ids, item, k) >= 0;
+        const int open = lane_bits(ints_of(hit & may_face(light, ray, position, normal, certainty.doubt)));
+#if DOUBT_RAYS == 1
+        left |= (ulong)(uint)open << k * LANES;
+#else
+        const realw off = own_position_doubt(position, normal, certainty.base);
+        for (int rest = open; rest; rest &= rest - 1) {
             const int lane = lowest_bit(rest);
             const LightDoubt own = doubt_at(light, LANE_OF(off, lane), certainty.curvature, certainty.base);
             const int facing = lane_bits(ints_of(may_face(light, ray, position, normal, own))) >> lane & 1;
             left |= (ulong)facing << (k * LANES + lane);
         }
+#endif
     }
     return left;
-#endif
 }
 
-// As `unshadowed`; adds the hits that may not face the light by what all have in common to `open`, as bits of the
-// work-item.
+// As `unshadowed`; adds the hits that may not face the light by what all have in common to `open`.
 INLINE realw certainly_unshadowed(Hits hits, LightPencil light, ShadowRay ray, Certainty certainty, int item, int k,
-                                  ulong* open) {
+                                  wholew* open) {
     const wholew hit = load_i(hits.ids, item, k) >= 0;
     if (!any_lane(hit)) return wide(0.0f);
     const vec3w position = position_of(hits, item, k), normal = load_3(hits.normals, item, k);
-    *open |= bits_of_packet(hit & may_face(light, ray, position, normal, certainty.doubt), k);
+    *open |= hit & may_face(light, ray, position, normal, certainty.doubt);
     return unshadowed(hits, light, ray, item, k);
 }
 
+// Whether any ray of the group may be occluded, found in a third of the work.
+INLINE int may_occlude_any(PencilSphere s, const ShadowRay* ray, LineEdge line, const wholew* id, const wholew* group,
+                           const realw* share) {
+    wholew any = 0;
+    FOR_PACKETS(k) any |= still_lit(group, share, k) & (id[k] != s.id) & line_may_meet(s, ray[k], line);
+    return any_lane(any);
+}
+
 // As `occlude`, for hits of the group, where that is certain; where it is not, `unsure` says so.
-INLINE int certainly_occlude(PencilSphere s, const ShadowRay* ray, Edge edge, const wholew* id, const wholew* group,
-                             wholew* unsure, realw* share) {
-    wholew any = 0, changed = 0;
-    FOR_PACKETS(k) any |= still_lit(group, share, k) & (id[k] != s.id) & line_may_meet(s, ray[k], edge);
-    if (!any_lane(any)) return 0;
+INLINE int certainly_occlude(PencilSphere s, const ShadowRay* ray, LightDoubt doubt, RayDoubt most, const wholew* id,
+                             const wholew* group, wholew* unsure, realw* share) {
+    const LineEdge line = line_edge(s, doubt, most);
+    // A loop for each formula, or LLVM would ask in each round which it is.
+    const int may = formula_of_line(s) ? may_occlude_any(s, ray, line, id, group, share)
+                                       : may_occlude_any(s, ray, line, id, group, share);
+    if (!may) return 0;
+    const Edge edge = edge_of(s, doubt, most, line);
+    wholew changed = 0;
     FOR_PACKETS(k) {
-        const Meeting at = meeting(s, ray[k]);
-        const wholew may = still_lit(group, share, k) & (id[k] != s.id) & !surely_clear(at, edge);
-        const wholew closes = may & surely_met(at, edge);
+        const realw doubts = occluded_by(s, ray[k], edge);
+        const wholew may = still_lit(group, share, k) & (id[k] != s.id) & !(doubts < -1.0f);
+        const wholew closes = may & (doubts > 1.0f);
         unsure[k] |= may & !closes;
         share[k] = choose(closes, wide(0.0f), share[k]);
         changed |= closes;
@@ -90,10 +103,9 @@ INLINE int trace_alone(Hierarchy hierarchy, FatShadowRay fat, RayDoubt most, Sha
         for (int rest = certain_shadow_candidates(fat, most, hierarchy.clusters + c); rest; rest &= rest - 1) {
             const PencilSphere s = sphere_of(hierarchy.clusters + c, lowest_bit(rest));
             if (s.id == id) continue;
-            const Edge edge = edge_of(s, own, alone);
-            const Meeting at = meeting(s, ray);
-            if (lane_bits(ints_of(surely_met(at, edge))) >> lane & 1) return 1;
-            open |= !(lane_bits(ints_of(surely_clear(at, edge))) >> lane & 1);
+            const realw doubts = occluded_by(s, ray, edge_of(s, own, alone, line_edge(s, own, alone)));
+            if (LANE_OF(doubts, lane) > 1) return 1;
+            open |= !(LANE_OF(doubts, lane) < -1);
         }
     return open ? 2 : 0;
 }
@@ -128,8 +140,8 @@ INLINE void trace_certain_group(Hierarchy hierarchy, FatShadowRay fat, RayDoubt 
     for (int c; (c = next_cluster(hierarchy, &traversal, fat)) >= 0;)
         for (int rest = certain_shadow_candidates(fat, most, hierarchy.clusters + c); rest; rest &= rest - 1) {
             const PencilSphere s = sphere_of(hierarchy.clusters + c, lowest_bit(rest));
-            const Edge edge = edge_of(s, doubt, most);
-            if (certainly_occlude(s, ray, edge, id, group, unsure, share) && !any_still_lit(group, share)) return;
+            if (certainly_occlude(s, ray, doubt, most, id, group, unsure, share) && !any_still_lit(group, share))
+                return;
         }
 }
 
@@ -145,9 +157,11 @@ INLINE ulong trace_certainly(Hits hits, Hierarchy hierarchy, LightPencil light, 
     wholew unsure[PACKETS];
     FOR_PACKETS(k) unsure[k] = 0;
     trace_certain_group(hierarchy, fat, most, ray, certainty.doubt, id, group, unsure, share);
+    wholew any = 0;
+    FOR_PACKETS(k) any |= unsure[k] & (share[k] > 0.0f);
+    if (!UNLIKELY(any_lane(any))) return 0;
     ulong open = 0;
     FOR_PACKETS(k) open |= bits_of_packet(unsure[k] & (share[k] > 0.0f), k);
-    if (!UNLIKELY(open)) return 0;
 #if DOUBT_RAYS > 1
     ulong occluded;
     open = trace_each_alone(hits, hierarchy, light, fat, most, ray, certainty, item, open, &occluded);

@@ -25,38 +25,35 @@ typedef LightDoubt RayDoubt;
 INLINE RayDoubt ray_doubt(LightDoubt doubt, const ShadowRay* ray, const wholew* open) { return doubt; }
 INLINE RayDoubt own_ray_doubt(LightDoubt own, ShadowRay ray, int lane) { return own; }
 
-// How far D may be off.
+// How far D may be off: all that there is to know.
 typedef struct {
     real off;
-} Edge;
+} LineEdge;
+typedef LineEdge Edge;
 
-INLINE Edge edge_of(PencilSphere s, LightDoubt doubt, RayDoubt most) {
+INLINE LineEdge line_edge(PencilSphere s, LightDoubt doubt, RayDoubt most) {
     const real shift = doubt.shift + fma(12 * ROUNDING, distance_of(s), doubt.base);
-    return (Edge){fma(fma((real)3, shift, 2 * radius_of(s)), shift, 12 * ROUNDING * s.r2)};
+    return (LineEdge){fma(fma((real)3, shift, 2 * radius_of(s)), shift, 12 * ROUNDING * s.r2)};
 }
-
-// D >= 0 says that the line meets the sphere, and D + ahead |ahead| >= 0, which is off by no more than twice as much,
-// that the farther root is ahead.
-typedef struct {
-    realw discriminant, farther;
-} Meeting;
-
-INLINE Meeting meeting(PencilSphere s, ShadowRay ray) {
-    const realw ahead = wide(s.center.z) - ray.from.z, discriminant = disc_discriminant(s, ray);
-    return (Meeting){discriminant, fma(ahead, fabs(ahead), discriminant)};
-}
-
-// Whether the sphere surely occludes the ray, and whether it surely does not.
-INLINE wholew surely_met(Meeting at, Edge edge) {
-    return (at.discriminant > wide(edge.off)) & (at.farther > wide(2 * edge.off));
-}
-INLINE wholew surely_clear(Meeting at, Edge edge) {
-    return (at.discriminant < wide(-edge.off)) | (at.farther < wide(-2 * edge.off));
+INLINE Edge edge_of(PencilSphere s, LightDoubt doubt, RayDoubt most, LineEdge line) {
+    return (Edge){quotient_of(1 - 4 * ROUNDING, line.off)};
 }
 
 // Whether the line of the ray may meet the sphere: where it does not, the ray is surely clear.
-INLINE wholew line_may_meet(PencilSphere s, ShadowRay ray, Edge edge) {
+INLINE wholew line_may_meet(PencilSphere s, ShadowRay ray, LineEdge edge) {
     return !(disc_discriminant(s, ray) < wide(-edge.off));
+}
+
+// D has one formula.
+INLINE int formula_of_line(PencilSphere s) { return 0; }
+
+// By how many of its doubts the ray is occluded: more than 1 is sure, and so is less than -1, that it is not. D >= 0
+// says that the line meets the sphere, and D + ahead |ahead| >= 0, which is off by no more than twice as much, that the
+// farther root is ahead. NaN where that is.
+INLINE realw occluded_by(PencilSphere s, ShadowRay ray, Edge edge) {
+    const realw ahead = wide(s.center.z) - ray.from.z, discriminant = disc_discriminant(s, ray);
+    const realw farther = 0.5f * fma(ahead, fabs(ahead), discriminant);
+    return choose(discriminant < farther, discriminant, farther) * wide(edge.off);
 }
 
 // Where it is open whether the surface faces the light.

@@ -48,65 +48,73 @@ INLINE RayDoubt own_ray_doubt(LightDoubt own, ShadowRay ray, int lane) {
     return doubt_between(own, LANE_OF(ray.inverse, lane), LANE_OF(ray.distance, lane));
 }
 
-// How far D may be off, what says whether the sphere is met before the receiver, and b.
+// How far the line of a ray may be off, and D: infinitely where that says nothing, from inside.
+typedef struct {
+    real shift, discriminant;
+    int inside;
+} LineEdge;
+
+// Of spheres apart, which the light is surely outside of or nothing is said of them, no power is asked yet.
+INLINE LineEdge line_edge(PencilSphere s, LightDoubt doubt, RayDoubt ray) {
+    const real from_light = distance_of(s), radius = radius_of(s);
+    const real power_off = is_apart(s) ? 0 : power_doubt(s, from_light, radius, doubt.center);
+    const DiscriminantDoubt of = discriminant_doubt(s, radius, power_off);
+    const real shift = fma(ray.turn, from_light, fma(12 * ROUNDING, from_light, 4 * doubt.center));
+    const real discriminant = fma(fma((real)4, shift, of.slope), shift, of.rest);
+    const int inside = !is_apart(s) && surely_inside(s, power_off);
+    return (LineEdge){shift, inside ? INFINITY : discriminant, inside};
+}
+
+// Whether the line of the ray may meet the sphere: where it does not, the ray is surely clear.
+INLINE wholew line_may_meet(PencilSphere s, ShadowRay ray, LineEdge edge) {
+    return !(sphere_discriminant(s, ray.dir, dot_r(s.center, ray.dir)) < wide(-edge.discriminant));
+}
+
+// Which of two formulas is D's.
+INLINE int formula_of_line(PencilSphere s) { return is_apart(s); }
+
+// 1 over how far D may be off, what says whether the sphere is met before the receiver, and b: less 2 u of itself, so
+// that a product of more than 1 is sure.
 typedef struct {
     real discriminant, before, ahead;
     int outside, inside;
 } Edge;
 
+INLINE real inverse_of(real doubt) { return quotient_of(1 - 4 * ROUNDING, doubt); }
+
 // Next to the surface the foot is no farther from the receiver than the radius; the power of the receiver seen from a
 // large sphere is off by what that is, times the diameter, and by roundings: 9 u |f| of b, 4 u of each term.
-INLINE Edge edge_of(PencilSphere s, LightDoubt doubt, RayDoubt ray) {
+INLINE Edge edge_of(PencilSphere s, LightDoubt doubt, RayDoubt ray, LineEdge line) {
     const real from_light = distance_of(s), radius = radius_of(s);
     const real power_off = power_doubt(s, from_light, radius, doubt.center);
-    const DiscriminantDoubt of = discriminant_doubt(s, radius, power_off);
-    const real shift = fma(ray.turn, from_light, fma(12 * ROUNDING, from_light, 4 * doubt.center));
-    const real discriminant = fma(fma((real)4, shift, of.slope), shift, of.rest);
-    const real along = shift + 2 * doubt.way;
+    const real along = line.shift + 2 * doubt.way;
     real before;
     if (is_apart(s)) {
-        before = fma(along, 2 * (along + radius), discriminant);
+        before = fma(along, 2 * (along + radius), line.discriminant);
     } else {
         const real rounded = fma(ray.distance, fma((real)4, ray.distance, 26 * from_light), 8 * fabs(s.power));
         before =
             fma(fma((real)3, doubt.way, 2 * radius), doubt.way, power_off) + 9 * along * along + ROUNDING * rounded;
     }
-    return (Edge){discriminant, before, shift, surely_outside(s, power_off), surely_inside(s, power_off)};
+    return (Edge){inverse_of(line.discriminant), inverse_of(before), inverse_of(line.shift),
+                  surely_outside(s, power_off), line.inside};
 }
 
-// From outside D >= 0 says that the line meets the sphere, and D + before |before| >= 0 that the nearer root comes
-// before the receiver; from inside it is met where the receiver is not in the ball.
-typedef struct {
-    realw b, discriminant, power, nearer;
-} Meeting;
-
-INLINE Meeting meeting(PencilSphere s, ShadowRay ray) {
+// By how many of its doubts the ray is occluded: more than 1 is sure, and so is less than -1, that it is not. From
+// outside D >= 0 says that the line meets the sphere, and D + before |before| >= 0 that the nearer root comes before
+// the receiver; from inside it is met where the receiver is not in the ball. NaN where either is.
+INLINE realw occluded_by(PencilSphere s, ShadowRay ray, Edge edge) {
     const realw b = dot_r(s.center, ray.dir), before = ray.distance - b;
     const realw discriminant = sphere_discriminant(s, ray.dir, b);
     const realw power = is_apart(s) ? fma(before, before, -discriminant) : fma(ray.distance, before - b, wide(s.power));
+    if (edge.inside) return power * wide(edge.before);
+    const realw meets = discriminant * wide(edge.discriminant);
+    if (!edge.outside) return choose(meets < 0.0f, meets, wide(0.0f));
     const realw nearer =
         is_apart(s) ? fma(before, fabs(before), discriminant) : fma(before, before + fabs(before), -power);
-    return (Meeting){b, discriminant, power, nearer};
-}
-
-// Whether the sphere surely occludes the ray, and whether it surely does not.
-INLINE wholew surely_met(Meeting at, Edge edge) {
-    if (edge.outside)
-        return (at.discriminant > wide(edge.discriminant)) & (at.b > wide(edge.ahead)) &
-               (at.nearer > wide(edge.before));
-    return edge.inside ? at.power > wide(edge.before) : (wholew)(0);
-}
-INLINE wholew surely_clear(Meeting at, Edge edge) {
-    if (edge.outside)
-        return (at.discriminant < wide(-edge.discriminant)) | (at.b < wide(-edge.ahead)) |
-               (at.nearer < wide(-edge.before));
-    return edge.inside ? at.power < wide(-edge.before) : at.discriminant < wide(-edge.discriminant);
-}
-
-// Whether the line of the ray may meet the sphere: where it does not, the ray is surely clear.
-INLINE wholew line_may_meet(PencilSphere s, ShadowRay ray, Edge edge) {
-    if (edge.inside) return (wholew)(-1);
-    return !(sphere_discriminant(s, ray.dir, dot_r(s.center, ray.dir)) < wide(-edge.discriminant));
+    const realw ahead = b * wide(edge.ahead), first = nearer * wide(edge.before);
+    const realw least = choose(ahead < meets, ahead, meets);
+    return choose(least < first, least, first);
 }
 
 // Where it is open whether the surface faces the light: (o - p) . n is off by the normal's doubt and 8 u, times the

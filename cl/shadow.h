@@ -11,7 +11,7 @@
 // The shadow rays of all packets, and what arrives at their hits if nothing is in between. The result is the hits of
 // which it is open whether they face the light, as bits of the work-item.
 INLINE ulong face_light(Hits hits, LightPencil light, Certainty certainty, int item, ShadowRay* ray, realw* share) {
-    ulong open = 0;
+    wholew open = 0;
     FOR_PACKETS(k) {
         ray[k] = shadow_ray(light, position_of(hits, item, k));
 #if CERTIFIED
@@ -21,9 +21,9 @@ INLINE ulong face_light(Hits hits, LightPencil light, Certainty certainty, int i
 #endif
     }
 #if CERTIFIED
-    if (UNLIKELY(open)) open = facing_alone(hits, light, certainty, item, open);
+    if (UNLIKELY(any_lane(open))) return facing_alone(hits, light, certainty, item);
 #endif
-    return open;
+    return 0;
 }
 
 // Takes from the hits that the sphere occludes what they had; the result is not 0 when there were any. Most spheres
