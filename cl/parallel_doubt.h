@@ -9,7 +9,8 @@
 #if CERTIFIED
 
 // `position` is how far the receiver is off, with what it takes to bring it into the basis (intersect_closest): this is
-// turned by up to 2 u, and three dot products round by 3 u; together with the sphere's, 12 u |c| in edge_of, 12 u |p|.
+// turned by up to 2 u, and three dot products round by 3 u; together with the sphere's, 12 u |c| in line_edge, 12 u
+// |p|.
 typedef struct {
     real shift;   // of the receiver
     real facing;  // of n . l: the normal's doubt, l's turn and the dot product's 3 u
