@@ -41,7 +41,9 @@ TEST_CASE("stop: a picture that is asked to stop does, and the next is whole", "
                 options.stop = &during;
                 options.longest_launch = 1e-12;  // so that much is to be launched after the first that ends
                 options.progress = [&](double) { during.ask(); };
-                CHECK_THROWS_AS(renderer.render(scene, options, again), Stopped);
+                Scene larger = scene;  // and many tiles too, however late this program hears of the first
+                larger.image = {1500, 900};
+                CHECK_THROWS_AS(renderer.render(larger, options, again), Stopped);
                 options = {};
                 options.accuracy = accuracy;
                 renderer.render(scene, options, again);
