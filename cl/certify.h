@@ -66,6 +66,9 @@ INLINE DiscriminantDoubt discriminant_doubt(PencilSphere s, real radius, real po
 INLINE real power_doubt(PencilSphere s, real distance, real radius, real base) {
     return 16 * base * (distance + radius) + POWER_ROUNDING * (distance * distance + s.r2);
 }
+// A little less than 1 over a doubt, so that what is more than 1 when multiplied by it is sure (docs/accuracy.md).
+INLINE real inverse_of(real doubt) { return quotient_of(1 - 4 * ROUNDING, doubt); }
+
 // Whether the apex is surely outside the sphere, or surely inside.
 INLINE int surely_outside(PencilSphere s, real power_off) { return s.power > 2 * power_off; }
 INLINE int surely_inside(PencilSphere s, real power_off) { return -s.power > 2 * power_off; }

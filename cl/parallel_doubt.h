@@ -37,7 +37,7 @@ INLINE LineEdge line_edge(PencilSphere s, LightDoubt doubt, RayDoubt most) {
     return (LineEdge){fma(fma((real)3, shift, 2 * radius_of(s)), shift, 12 * ROUNDING * s.r2)};
 }
 INLINE Edge edge_of(PencilSphere s, LightDoubt doubt, RayDoubt most, LineEdge line) {
-    return (Edge){quotient_of(1 - 4 * ROUNDING, line.off)};
+    return (Edge){inverse_of(line.off)};
 }
 
 // Whether the line of the ray may meet the sphere: where it does not, the ray is surely clear.

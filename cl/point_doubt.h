@@ -73,14 +73,11 @@ INLINE wholew line_may_meet(PencilSphere s, ShadowRay ray, LineEdge edge) {
 // Which of two formulas is D's.
 INLINE int formula_of_line(PencilSphere s) { return is_apart(s); }
 
-// 1 over how far D may be off, what says whether the sphere is met before the receiver, and b: less 2 u of itself, so
-// that a product of more than 1 is sure.
+// The inverse of how far D may be off, what says whether the sphere is met before the receiver, and b.
 typedef struct {
     real discriminant, before, ahead;
     int outside, inside;
 } Edge;
-
-INLINE real inverse_of(real doubt) { return quotient_of(1 - 4 * ROUNDING, doubt); }
 
 // Next to the surface the foot is no farther from the receiver than the radius; the power of the receiver seen from a
 // large sphere is off by what that is, times the diameter, and by roundings: 9 u |f| of b, 4 u of each term.

@@ -23,11 +23,13 @@ inline RowView view_of(const SphereRows& rows, int64_t i) {
 
 inline int64_t blocks_of(int64_t ids) { return (ids + id_block - 1) / id_block; }
 
+/// In one block of so many.
+inline int64_t ids_in_block(int64_t number, int64_t ids) { return std::min(id_block, ids - number * id_block); }
+
 /// Calls visit(rows) for those of a block of a scene's ids.
 template <class Visit>
 void visit_block(const Scene& scene, const Frame& frame, int64_t number, int64_t ids, Visit visit) {
-    const int64_t first = number * id_block;
-    const SphereRows rows = sphere_rows(scene, frame, first, std::min(id_block, ids - first));
+    const SphereRows rows = sphere_rows(scene, frame, number * id_block, ids_in_block(number, ids));
     visit(rows);
     if (rows.forget) rows.forget();
 }

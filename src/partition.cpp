@@ -62,7 +62,7 @@ Partition cut_into_chunks(const Scene& scene, const Survey& survey, const Frame&
     const bool any_cut = chunks.any_cut();
     for_each_block(survey.count, [&](int64_t number, size_t half) {
         uint16_t* const places = result.places.data() + number * id_block;
-        const int64_t count = std::min(id_block, survey.count - number * id_block);
+        const int64_t count = ids_in_block(number, survey.count);
         if (any_cut)
             visit_block(scene, frame, number, survey.count,
                         [&](const SphereRows& rows) { to_chunks(chunks, &rows, places, count); });

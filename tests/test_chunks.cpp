@@ -61,10 +61,6 @@ void check_same_in_chunks(Renderer& renderer, const Scene& scene) {
     }
 }
 
-}  // namespace
-
-namespace {
-
 /// Rows have their sphere's numbers, and each sphere is in one chunk; returns which.
 std::vector<int> check_chunks(const Scene& scene, const Survey& spheres, int64_t capacity) {
     const Frame frame = choose_frame(scene, spheres);
