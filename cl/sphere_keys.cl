@@ -9,7 +9,7 @@
 #include "two_reals.h"
 
 // Spheres much larger than most would spoil the bounds of their small neighbours: those of more than 8 times the middle
-// radius come after the others, by factors of 64.
+// radius come after the others, by factors of 64. Where there are none the host says that the middle is infinite.
 static inline uint16 size_class(float16 radius, float middle) {
     const int16 larger = (radius > 8.0f * middle) + (radius > 512.0f * middle) + (radius > 32768.0f * middle);
     return as_uint16(-larger);
@@ -62,7 +62,7 @@ kernel void sphere_keys(global const float* restrict rows, global const float* r
     uint16 index =
         hilbert_index(digits(place_of(x, x_rest, low.x, scale), word), digits(place_of(y, y_rest, low.y, scale), word),
                       digits(place_of(z, z_rest, low.z, scale), word));
-    if (word == 0) index |= size_class(vload16(0, radius), middle_radius) << 30;
+    if (word == 0) index |= size_class(vload16(0, radius), middle_radius) << KEY_BITS;
     vstore16(index, 0, key);
     for (int i = 0; i < here; ++i) pairs[item * CLUSTER + i] = (uint2)(key[i], id[i]);
 }

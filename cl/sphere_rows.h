@@ -27,7 +27,7 @@ static inline int coincide(SphereRows spheres, int a, int b) {
     return all(rest_of(spheres, a) == rest_of(spheres, b));
 }
 
-// The same for all that coincide.
+// The same for all that coincide. KEY_BITS.
 static inline uint hash_of(SphereRows spheres, int id) {
     // Adding 0 makes -0 into 0. A product and a shift for each number: Fowler, Noll and Vo's hash, on words.
     const uint4 row = as_uint4(row_of(spheres, id) + 0.0f), rest = as_uint4(rest_of(spheres, id) + 0.0f);
@@ -37,7 +37,7 @@ static inline uint hash_of(SphereRows spheres, int id) {
         hash = (hash ^ words[i]) * 16777619u;
         hash ^= hash >> 15;
     }
-    return hash;
+    return hash >> (32 - KEY_BITS);
 }
 
 #endif

@@ -169,7 +169,7 @@ std::string Plan::walk() const {
 }
 
 int Plan::slices(int64_t pairs) const {
-    constexpr int64_t least = 4 * DIGITS;  // fewer than its counts are not worth a slice
+    constexpr int64_t least = DIGITS;  // fewer than its counts are not worth a slice
     return static_cast<int>(std::clamp<int64_t>(pairs / least, 1, max_slices));
 }
 

@@ -69,18 +69,21 @@ struct SphereKernels::Pairs {
 void SphereKernels::sort(Pairs& pairs, const RowBuffers& rows, int word, bool first, const Survey& survey,
                          const Frame& frame) {
     const Grid grid(survey, frame);
+    // Unless there are size classes (cl/sphere_keys.cl), no key has more than KEY_BITS, and one pass is spared.
+    const bool classes = word == 0 && survey.largest_radius > 8 * survey.middle_radius;
+    const int bits = classes ? 32 : KEY_BITS;
     const int count = rows.count, slices = plan_.slices(count), all = groups_of_16(count), local = plan_.local_size;
-    const auto middle = static_cast<float>(survey.middle_radius / frame.unit);
+    const float middle = classes ? static_cast<float>(survey.middle_radius / frame.unit) : INFINITY;
     launcher_.launch(sphere_variant(Kernel::sphere_keys, plan_.accuracy, rows.has_rests), all, local, rows.rows,
                      rows.rests, rows.columns, pairs.sorted, first ? 1 : 0, word, grid.low, grid.scale, middle, count,
                      all, pairs.other);
     std::swap(pairs.sorted, pairs.other);
-    for (int shift = 0; shift < 32; shift += DIGIT_BITS) {
+    for (int shift = 0; shift < bits; shift += DIGIT_BITS) {
         launcher_.fill_with_zeros(pairs.totals);
         launcher_.launch(sphere_variant(Kernel::count_digits, plan_.accuracy), slices, plan_.slice_local_size,
                          pairs.sorted, count, shift, slices, pairs.counts, pairs.totals);
-        launcher_.launch(sphere_variant(Kernel::scan_counts, plan_.accuracy), DIGITS, local, slices, DIGITS,
-                         pairs.counts, pairs.totals);
+        launcher_.launch(sphere_variant(Kernel::scan_counts, plan_.accuracy), DIGITS / DIGITS_AN_ITEM, local, slices,
+                         DIGITS / DIGITS_AN_ITEM, pairs.counts, pairs.totals);
         launcher_.launch(sphere_variant(Kernel::scatter_pairs, plan_.accuracy), slices, plan_.slice_local_size,
                          pairs.sorted, count, shift, slices, pairs.counts, pairs.other);
         std::swap(pairs.sorted, pairs.other);
