@@ -1,6 +1,7 @@
 #include "measure.h"
 
 #include <limits>
+#include <utility>
 
 namespace gnomon::report {
 
@@ -52,8 +53,8 @@ PictureTable measure_scene(Renderer& renderer, const DeviceInfo& device, const N
                            const PictureEffort& effort) {
     const Scene& scene = named.scene;
     PictureTable table{named.name, scene.image, sphere_count(scene), static_cast<int64_t>(scene.lights.size()), {}};
-    for (const Accuracy accuracy : available_accuracies(device))
-        table.rows.push_back({measure_picture(renderer, scene, accuracy, effort)});
+    for (Picture& picture : measure_pictures(renderer, scene, available_accuracies(device), effort))
+        table.rows.push_back({std::move(picture)});
     mark_front(table.rows);
     return table;
 }

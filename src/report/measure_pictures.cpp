@@ -36,26 +36,40 @@ class Frames {
     RenderStats last_;
 };
 
-}  // namespace
-
-Picture measure_picture(Renderer& renderer, const Scene& scene, Accuracy accuracy, const PictureEffort& effort) {
+RenderOptions options_of(Accuracy accuracy) {
     RenderOptions options;
     options.accuracy = accuracy;
     options.outputs = {true, true, true, true};
-    Picture picture{accuracy, {}, 0, {}, {}};
-    Film film;
-    renderer.render(scene, options, film);  // builds the kernels
-    Frames frames;
-    for (int i = 0; i < effort.frames; ++i) {
-        const double start = now();
-        const RenderStats stats = renderer.render(scene, options, film);
-        frames.add(now() - start, stats);
-    }
-    frames.fill(picture);
-    picture.error.check = check(scene, film, true, effort.pixels, effort.tests);
+    return options;
+}
+
+PictureError error_of(Renderer& renderer, const Scene& scene, Accuracy accuracy, const Film& film,
+                      const PictureEffort& effort) {
     const auto sample = sampled_pixels(scene, film, true, effort.pixels, effort.tests);
-    picture.error.shadow_bits = shadow_bits(renderer, scene, options, film, sample);
-    return picture;
+    return {check(scene, film, true, effort.pixels, effort.tests),
+            shadow_bits(renderer, scene, options_of(accuracy), film, sample)};
+}
+
+}  // namespace
+
+std::vector<Picture> measure_pictures(Renderer& renderer, const Scene& scene, const std::vector<Accuracy>& accuracies,
+                                      const PictureEffort& effort) {
+    std::vector<Film> films(accuracies.size());
+    std::vector<Frames> frames(accuracies.size());
+    for (size_t i = 0; i < accuracies.size(); ++i)
+        renderer.render(scene, options_of(accuracies[i]), films[i]);  // builds the kernels
+    for (int round = 0; round < effort.frames; ++round)
+        for (size_t i = 0; i < accuracies.size(); ++i) {
+            const double start = now();
+            const RenderStats stats = renderer.render(scene, options_of(accuracies[i]), films[i]);
+            frames[i].add(now() - start, stats);
+        }
+    std::vector<Picture> pictures;
+    for (size_t i = 0; i < accuracies.size(); ++i) {
+        pictures.push_back({accuracies[i], {}, 0, {}, error_of(renderer, scene, accuracies[i], films[i], effort)});
+        frames[i].fill(pictures.back());
+    }
+    return pictures;
 }
 
 }  // namespace gnomon::report

@@ -43,6 +43,8 @@ struct PictureEffort {
     int64_t pixels = 1 << 15, tests = int64_t{1} << 28;
 };
 
-Picture measure_picture(Renderer& renderer, const Scene& scene, Accuracy accuracy, const PictureEffort& effort);
+/// In turn, so that what else the machine does meets all accuracies alike.
+std::vector<Picture> measure_pictures(Renderer& renderer, const Scene& scene, const std::vector<Accuracy>& accuracies,
+                                      const PictureEffort& effort);
 
 }  // namespace gnomon::report
