@@ -65,9 +65,9 @@ typedef struct {
 #define PLACE_WORDS 3
 #define HASH_WORD 3
 
-// Digits by which keys are sorted, of which so many are scanned by one work-item. A word without size classes
-// (sphere_keys) has three of 10 bits: on a CPU, whose caches hold the places of 1024 digits, a pass takes no longer
-// than by one of four digits of 8 bits.
+// Digits by which keys are sorted: three a key, or four where there are size classes above it (sphere_keys). Of 8 bits
+// they would be four always, and a pass takes no longer for 10: a CPU's caches hold the places of 1024 digits as well.
+// One work-item of scan_counts has DIGITS_AN_ITEM.
 #define KEY_BITS 30
 #define DIGIT_BITS 10
 #define DIGITS (1 << DIGIT_BITS)
