@@ -6,9 +6,7 @@
 #ifndef GNOMON_HILBERT_H
 #define GNOMON_HILBERT_H
 
-#include "real.h"
-
-#define HILBERT_BITS 10
+#include "types.h"
 
 // Spreads the low 10 bits of v to every third bit.
 static inline uint16 spread(uint16 v) {
@@ -28,7 +26,7 @@ static inline void turn(uint bit, uint16* first, uint16* other) {
     *other ^= change & ~set;
 }
 
-// 30 bits.
+// KEY_BITS.
 static inline uint16 hilbert_index(uint16 x, uint16 y, uint16 z) {
     for (uint bit = 1u << (HILBERT_BITS - 1); bit > 1; bit >>= 1) {
         x ^= where_set(x, bit) & (bit - 1);

@@ -8,10 +8,12 @@
 #include "sphere_rows.h"
 #include "two_reals.h"
 
-// Spheres much larger than most would spoil the bounds of their small neighbours: those of more than 8 times the middle
-// radius come after the others, by factors of 64. Where there are none the host says that the middle is infinite.
+// Spheres much larger than most would spoil the bounds of their small neighbours: those of more than MUCH_LARGER times
+// the middle radius come after the others, by factors of 64. Where there are none the host says that the middle is
+// infinite.
 static inline uint16 size_class(float16 radius, float middle) {
-    const int16 larger = (radius > 8.0f * middle) + (radius > 512.0f * middle) + (radius > 32768.0f * middle);
+    const float first = MUCH_LARGER * middle;
+    const int16 larger = (radius > first) + (radius > 64.0f * first) + (radius > 4096.0f * first);
     return as_uint16(-larger);
 }
 

@@ -27,7 +27,7 @@ static inline int coincide(SphereRows spheres, int a, int b) {
     return all(rest_of(spheres, a) == rest_of(spheres, b));
 }
 
-// The same for all that coincide. KEY_BITS.
+// KEY_BITS, the same for all that coincide.
 static inline uint hash_of(SphereRows spheres, int id) {
     // Adding 0 makes -0 into 0. A product and a shift for each number: Fowler, Noll and Vo's hash, on words.
     const uint4 row = as_uint4(row_of(spheres, id) + 0.0f), rest = as_uint4(rest_of(spheres, id) + 0.0f);

@@ -61,14 +61,17 @@ typedef struct {
     int id[CLUSTER];
 } Cluster;
 
-// Words of the keys by which spheres are sorted: three of 10 bits of each coordinate, and a hash (sphere_keys).
+// Words of the keys by which spheres are sorted: three of 10 bits of each coordinate, and a hash (sphere_keys). Above
+// the first are size classes, for spheres of more than so many times the middle radius.
+#define HILBERT_BITS 10
+#define KEY_BITS (3 * HILBERT_BITS)
 #define PLACE_WORDS 3
 #define HASH_WORD 3
+#define MUCH_LARGER 8
 
-// Digits by which keys are sorted: three a key, or four where there are size classes above it (sphere_keys). Of 8 bits
+// Digits by which keys are sorted: three a key, or four where there are size classes above it. Of 8 bits
 // they would be four always, and a pass takes no longer for 10: a CPU's caches hold the places of 1024 digits as well.
 // One work-item of scan_counts has DIGITS_AN_ITEM.
-#define KEY_BITS 30
 #define DIGIT_BITS 10
 #define DIGITS (1 << DIGIT_BITS)
 #define DIGITS_AN_ITEM 16

@@ -26,11 +26,8 @@ struct Grid {
         const Vec3 corner = frame.place(survey.low), size = frame.place(survey.high) - corner;
         low = {static_cast<float>(corner.x), static_cast<float>(corner.y), static_cast<float>(corner.z)};
         const double side = std::max({size.x, size.y, size.z});
-        scale = side > 0 ? static_cast<float>(std::ldexp(1.0, bits - 1 - std::ilogb(side))) : 0;
+        scale = side > 0 ? static_cast<float>(std::ldexp(1.0, HILBERT_BITS - 1 - std::ilogb(side))) : 0;
     }
-
-  private:
-    static constexpr int bits = 10;  // HILBERT_BITS
 };
 
 /// Two words a sphere, a key and a row, and room to sort them in.
@@ -70,7 +67,7 @@ void SphereKernels::sort(Pairs& pairs, const RowBuffers& rows, int word, bool fi
                          const Frame& frame) {
     const Grid grid(survey, frame);
     // Unless there are size classes (cl/sphere_keys.cl), no key has more than KEY_BITS, and one pass is spared.
-    const bool classes = word == 0 && survey.largest_radius > 8 * survey.middle_radius;
+    const bool classes = word == 0 && survey.largest_radius > MUCH_LARGER * survey.middle_radius;
     const int bits = classes ? 32 : KEY_BITS;
     const int count = rows.count, slices = plan_.slices(count), all = groups_of_16(count), local = plan_.local_size;
     const float middle = classes ? static_cast<float>(survey.middle_radius / frame.unit) : INFINITY;
