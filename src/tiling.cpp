@@ -19,8 +19,9 @@ constexpr int max_tile_rays = 1 << 24;
 constexpr int64_t assumed_core_cache = 1 << 20;
 // Rays in a tile that one core works on, at least: few spheres take 0.1 ms for 16 Ki rays, a tile's launches 20 us.
 // Until the end comes tiles are larger: what a core's own cache does not hold, the one that all cores share mostly
-// does, and with 512 KiB a core S4 and S100 took 1.15 times as long in tiles of 16 Ki rays.
-constexpr int64_t least_core_tile_rays = 1 << 14, usual_core_tile_rays = 3 << 14;
+// does, and with 512 KiB a core S4 and S100 took 1.15 times as long in tiles of 16 Ki rays, and S4 1.02 times in such
+// of 48 Ki.
+constexpr int64_t least_core_tile_rays = 1 << 14, usual_core_tile_rays = 6 << 14;
 // Tiles are launched one at a time: with more workers than this they would wait for it longer than they work.
 constexpr int most_workers = 8;
 

@@ -81,7 +81,7 @@ TEST_CASE("tiling: a core's tile follows its cache, and the last tiles are small
     CHECK(largest(plan_of(1920, 1080, large, doubles)) < largest(plan_of(1920, 1080, large)));
     const Plan plan = plan_of(1920, 1080);
     CHECK(plan.tiles.front().blocks == plan.tile_blocks);
-    CHECK(plan.tiles.back().blocks * 3 == plan.tile_blocks);
+    CHECK(plan.tiles.back().blocks * 6 == plan.tile_blocks);
     CHECK(std::is_sorted(plan.tiles.rbegin(), plan.tiles.rend(),
                          [](const Tile& a, const Tile& b) { return a.blocks < b.blocks; }));
 }
