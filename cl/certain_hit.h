@@ -7,6 +7,13 @@
 
 #if CERTIFIED
 
+// What the root t of a plain meeting is at least. The true D is no less than 3/4 of what is known, so that 1.16 r /
+// sqrt(D) is no less than the true x, and 5/4 of k (1 + r / sqrt(D)) than what t is off by.
+INLINE realw least_root(realw t, PencilSphere s, RootDoubt off, realw discriminant) {
+    const real slope = 1.25f * off.steep;
+    return fma(-t, fma(wide(slope * radius_of(s)), reciprocal_bound(square_root(discriminant)), wide(slope)), t);
+}
+
 #if !REAL_IS_DOUBLE
 // The few hits of the sphere that graze it get the distance that strict pictures have.
 INLINE void mend_grazed(PencilSphere s, const vec3w* dir, real edge, Hit* hit) {
@@ -41,12 +48,13 @@ INLINE int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Boun
     const real edge = grazing_edge(s);
     wholew any_grazes = 0;
 #endif
-    const real kept = 1 - LESS(1.0625f * STEEPEST * bounds->steep, MOST_OFF);  // of t, at least
     FOR_PACKETS(k) {
         const wholew plain = near[k] & (discriminant[k] > off.plain);
         const realw t = choose(plain, sphere_root(s, b[k], discriminant[k]), wide(INFINITY));
         const wholew closer = t < hit[k].t;
-        const realw loser = kept * choose(t > hit[k].t, t, hit[k].t);
+        const realw begin = choose(plain, least_root(t, s, off, discriminant[k]), wide(INFINITY));
+        const realw loser = choose(closer, bounds->begin[k], begin);
+        bounds->begin[k] = choose(closer, begin, bounds->begin[k]);
         const realw other = choose(near[k] & !plain, b[k] - off.back, loser);
         bounds->other[k] = choose(other < bounds->other[k], other, bounds->other[k]);
         hit[k].t = choose(closer, t, hit[k].t);

@@ -14,11 +14,10 @@ typedef struct {
     real curvature, base;
 } Certainty;
 
-// The normal is off by what the position is, the centre's rounding, u |f| <= u (t + r), and its own, over the radius;
-// 3/2 of that serves while it is below 1/2.
+// The normal is off by what the position is, the centre's rounding, u |f| <= u (t + r), and its own, over the radius.
 INLINE LightDoubt doubt_at(LightPencil light, real position, real curvature, real base) {
     const real share = position * curvature;
-    const real normal = share < 0.5f ? fma((real)1.5f, share, 12 * ROUNDING) : INFINITY;
+    const real normal = share < 0.5f ? fma((real)AN_ANGLE, share, 12 * ROUNDING) : INFINITY;
     return light_doubt(light, position, normal, base);
 }
 
@@ -41,7 +40,7 @@ INLINE ulong facing_alone(Hits hits, LightPencil light, Certainty certainty, int
 #if DOUBT_RAYS == 1
         left |= (ulong)(uint)open << k * LANES;
 #else
-        const realw off = own_position_doubt(position, normal, certainty.base);
+        const realw off = own_position_doubt(position, normal, certainty.curvature, certainty.base);
         for (int rest = open; rest; rest &= rest - 1) {
             const int lane = lowest_bit(rest);
             const LightDoubt own = doubt_at(light, LANE_OF(off, lane), certainty.curvature, certainty.base);
@@ -74,7 +73,7 @@ INLINE int may_occlude_any(PencilSphere s, const ShadowRay* ray, LineEdge line, 
 // As `occlude`, for hits of the group, where that is certain; where it is not, `unsure` says so.
 INLINE int certainly_occlude(PencilSphere s, const ShadowRay* ray, LightDoubt doubt, RayDoubt most, const wholew* id,
                              const wholew* group, wholew* unsure, realw* share) {
-    const LineEdge line = line_edge(s, doubt, most);
+    const LineEdge line = line_edge(s, doubt, most, rough_distance_of(s));
     // A loop for each formula, or LLVM would ask in each round which it is.
     const int may = formula_of_line(s) ? may_occlude_any(s, ray, line, id, group, share)
                                        : may_occlude_any(s, ray, line, id, group, share);
@@ -103,7 +102,8 @@ INLINE int trace_alone(Hierarchy hierarchy, FatShadowRay fat, RayDoubt most, Sha
         for (int rest = certain_shadow_candidates(fat, most, hierarchy.clusters + c); rest; rest &= rest - 1) {
             const PencilSphere s = sphere_of(hierarchy.clusters + c, lowest_bit(rest));
             if (s.id == id) continue;
-            const realw doubts = occluded_by(s, ray, edge_of(s, own, alone, line_edge(s, own, alone)));
+            const LineEdge line = line_edge(s, own, alone, distance_of(s));
+            const realw doubts = occluded_by(s, ray, edge_of(s, own, alone, line));
             if (LANE_OF(doubts, lane) > 1) return 1;
             open |= !(LANE_OF(doubts, lane) < -1);
         }
@@ -119,7 +119,7 @@ INLINE ulong trace_each_alone(Hits hits, Hierarchy hierarchy, LightPencil light,
     ulong left = 0, closed = 0;
     ONE_PACKET_AT_A_TIME(k) {
         const vec3w position = position_of(hits, item, k), normal = load_3(hits.normals, item, k);
-        const realw off = own_position_doubt(position, normal, certainty.base);
+        const realw off = own_position_doubt(position, normal, certainty.curvature, certainty.base);
         for (int rest = (int)(open >> k * LANES) & ALL_LANES; rest; rest &= rest - 1) {
             const int lane = lowest_bit(rest), id = hits.ids[lane_address(item, k, 0, 1) + (size_t)lane];
             const LightDoubt own = doubt_at(light, LANE_OF(off, lane), certainty.curvature, certainty.base);

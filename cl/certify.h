@@ -19,16 +19,20 @@
 #define ROUNDING 0x1p-53
 #define POWER_ROUNDING 0x1p-50
 #define EYE_TURN (32 * ROUNDING)
-#define STEEPEST 0x1p12
+#define STEEPEST 0x1p16
 #else
 #define ROUNDING 0x1p-24f
 #define POWER_ROUNDING 0x1p-43f
 #define EYE_TURN (5 * ROUNDING)
-#define STEEPEST 0x1p9f
+#define STEEPEST 0x1p10f
 #endif
 
 // t is off by less than this, in parts of itself, wherever anything is said of it.
 #define MOST_OFF 0x1p-8f
+
+// Where a vector is off by less than half its length, it is turned by no more than this times that over its length:
+// arc sine of 1/2 is 1.0472 times that.
+#define AN_ANGLE 1.0625f
 
 // How far a sphere's numbers, as a pencil has them, may be from the truth.
 typedef struct {
@@ -38,8 +42,14 @@ typedef struct {
     real radius, distance;
 } Doubt;
 
-// At least |f|, and no more than sqrt(3) times as much.
-INLINE real distance_of(PencilSphere s) { return fabs(s.center.x) + fabs(s.center.y) + fabs(s.center.z); }
+// At least |f|, and hardly more. 2^-124 so that squares count that vanish.
+INLINE real distance_of(PencilSphere s) {
+    const Real3 f = s.center;
+    const real squared = fma(f.x, f.x, fma(f.y, f.y, fma(f.z, f.z, (real)0x1p-124f)));
+    return (1 + 4 * ROUNDING) * root_of(squared);
+}
+// At least |f|, and no more than sqrt(3) times as much, sooner.
+INLINE real rough_distance_of(PencilSphere s) { return fabs(s.center.x) + fabs(s.center.y) + fabs(s.center.z); }
 
 // At least r: of floats, which have no root at hand, more by 2^-17 |f|.
 INLINE real radius_of(PencilSphere s) {
@@ -134,11 +144,17 @@ INLINE realw position_doubt(realw t, realw cosine, real steep, real base) {
 }
 
 #if !REAL_IS_DOUBLE
-// The same of a hit, as intersect_closest wrote it: its cosine is off by 4 u, 2^-13 of 1 / STEEPEST. What hits share is
-// by more above position_doubt, so that it is no less than any of them has.
-INLINE realw own_position_doubt(vec3w position, vec3w normal, real base) {
-    const realw t = square_root(dot_w(position, position));
-    return position_doubt(t, divide(fabs(dot_w(position, normal)), t), MOST_STEEP, base);
+// The same of a hit, as intersect_closest wrote it, with its own steepness: the cosine that is found from that is off
+// by 4 u, and from the ray's turn (6 u) and the normal's doubt (certain_shadow.h) by no more than `turned`; and 1.3
+// over it is enough whatever it is. What hits share is by more above position_doubt, so that it is no less than any of
+// them has.
+INLINE realw own_position_doubt(vec3w position, vec3w normal, real curvature, real base) {
+    const realw t = square_root(dot_w(position, position)), cosine = divide(fabs(dot_w(position, normal)), t);
+    const realw first = position_doubt(t, cosine, MOST_STEEP, base);
+    const realw turned = fma(wide(AN_ANGLE * curvature), first, wide(24 * ROUNDING));
+    const realw loose = (1 / 1.3f) * cosine, sharp = cosine - turned;
+    const realw least = choose(sharp > loose, sharp, loose);
+    return fma(t, divide(wide(MOST_STEEP), least) + (MOST_STEEP + 20 * ROUNDING), wide(base));
 }
 #define SHARED_DOUBT 1.01f
 #endif

@@ -16,7 +16,19 @@ typedef struct {
 typedef struct {
     realw other[PACKETS];  // whatever else the rays may meet begins no nearer
     real steep;            // of all spheres that they hit: certify.h
+    realw begin[PACKETS];  // the closest hits begin no nearer
 } Bounds;
+
+INLINE Bounds no_bounds(void) {
+    Bounds bounds;
+#if REAL_IS_DOUBLE
+    bounds.steep = 0;
+#else
+    bounds.steep = MOST_STEEP;
+#endif
+    FOR_PACKETS(k) bounds.other[k] = bounds.begin[k] = wide(INFINITY);
+    return bounds;
+}
 
 INLINE Hit no_hit(void) {
     const Hit hit = {wide(INFINITY), (wholew)(-1), {wide(0.0f), wide(0.0f), wide(0.0f)}};

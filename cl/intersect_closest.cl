@@ -63,12 +63,7 @@ kernel void intersect_closest(
     const HitsOut out = HITS_OUT;
     vec3w dir[PACKETS];
     Hit hit[PACKETS];
-    Bounds bounds;
-#if REAL_IS_DOUBLE
-    bounds.steep = 0;
-#else
-    bounds.steep = MOST_STEEP;
-#endif
+    Bounds bounds = no_bounds();
 
     wholew valid[PACKETS];
 #if RAYS == RAYS_GENERATED
@@ -89,7 +84,6 @@ kernel void intersect_closest(
 #endif
         valid[k] = dir[k].x == dir[k].x;  // pixels outside the image are NaN
         hit[k] = no_hit();
-        bounds.other[k] = wide(INFINITY);
     }
 #if CHUNKS
     if (!pass.first_chunk) FOR_PACKETS(k) {

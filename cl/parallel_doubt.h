@@ -32,8 +32,9 @@ typedef struct {
 } LineEdge;
 typedef LineEdge Edge;
 
-INLINE LineEdge line_edge(PencilSphere s, LightDoubt doubt, RayDoubt most) {
-    const real shift = doubt.shift + fma(12 * ROUNDING, distance_of(s), doubt.base);
+// For a sphere no farther from the eye than that.
+INLINE LineEdge line_edge(PencilSphere s, LightDoubt doubt, RayDoubt most, real from_eye) {
+    const real shift = doubt.shift + fma(12 * ROUNDING, from_eye, doubt.base);
     return (LineEdge){fma(fma((real)3, shift, 2 * radius_of(s)), shift, 12 * ROUNDING * s.r2)};
 }
 INLINE Edge edge_of(PencilSphere s, LightDoubt doubt, RayDoubt most, LineEdge line) {

@@ -29,10 +29,9 @@ typedef struct {
     real turn, distance;
 } RayDoubt;
 
-// 3/2 of what the way is off over its length serves while that is below 1/2.
 INLINE RayDoubt doubt_between(LightDoubt doubt, real inverse, real distance) {
-    const real turn = fma(1.5f * doubt.way, inverse, 5 * ROUNDING);
-    return (RayDoubt){turn < 0.75f ? turn : INFINITY, distance};
+    const real turn = fma(AN_ANGLE * doubt.way, inverse, 5 * ROUNDING);
+    return (RayDoubt){turn < AN_ANGLE / 2 ? turn : INFINITY, distance};
 }
 // The most of a group.
 INLINE RayDoubt ray_doubt(LightDoubt doubt, const ShadowRay* ray, const wholew* open) {
@@ -50,19 +49,20 @@ INLINE RayDoubt own_ray_doubt(LightDoubt own, ShadowRay ray, int lane) {
 
 // How far the line of a ray may be off, and D: infinitely where that says nothing, from inside.
 typedef struct {
-    real shift, discriminant;
+    real shift, discriminant, from_light;
     int inside;
 } LineEdge;
 
-// Of spheres apart, which the light is surely outside of or nothing is said of them, no power is asked yet.
-INLINE LineEdge line_edge(PencilSphere s, LightDoubt doubt, RayDoubt ray) {
-    const real from_light = distance_of(s), radius = radius_of(s);
+// For a sphere no farther from the light than that. Of spheres apart, which the light is surely outside of or nothing
+// is said of them, no power is asked yet.
+INLINE LineEdge line_edge(PencilSphere s, LightDoubt doubt, RayDoubt ray, real from_light) {
+    const real radius = radius_of(s);
     const real power_off = is_apart(s) ? 0 : power_doubt(s, from_light, radius, doubt.center);
     const DiscriminantDoubt of = discriminant_doubt(s, radius, power_off);
     const real shift = fma(ray.turn, from_light, fma(12 * ROUNDING, from_light, 4 * doubt.center));
     const real discriminant = fma(fma((real)4, shift, of.slope), shift, of.rest);
     const int inside = !is_apart(s) && surely_inside(s, power_off);
-    return (LineEdge){shift, inside ? INFINITY : discriminant, inside};
+    return (LineEdge){shift, inside ? INFINITY : discriminant, from_light, inside};
 }
 
 // Whether the line of the ray may meet the sphere: where it does not, the ray is surely clear.
@@ -82,14 +82,13 @@ typedef struct {
 // Next to the surface the foot is no farther from the receiver than the radius; the power of the receiver seen from a
 // large sphere is off by what that is, times the diameter, and by roundings: 9 u |f| of b, 4 u of each term.
 INLINE Edge edge_of(PencilSphere s, LightDoubt doubt, RayDoubt ray, LineEdge line) {
-    const real from_light = distance_of(s), radius = radius_of(s);
-    const real power_off = power_doubt(s, from_light, radius, doubt.center);
+    const real radius = radius_of(s), power_off = power_doubt(s, line.from_light, radius, doubt.center);
     const real along = line.shift + 2 * doubt.way;
     real before;
     if (is_apart(s)) {
         before = fma(along, 2 * (along + radius), line.discriminant);
     } else {
-        const real rounded = fma(ray.distance, fma((real)4, ray.distance, 26 * from_light), 8 * fabs(s.power));
+        const real rounded = fma(ray.distance, fma((real)4, ray.distance, 26 * line.from_light), 8 * fabs(s.power));
         before =
             fma(fma((real)3, doubt.way, 2 * radius), doubt.way, power_off) + 9 * along * along + ROUNDING * rounded;
     }
