@@ -204,4 +204,15 @@ INLINE void leave_undecided(ulong rays, Undecided undecided, int item) {
 #endif
 }
 
+// Says which rays of a block are undecided, before anybody adds to them, or adds those of what is not all of it.
+INLINE void say_undecided(ulong rays, Undecided undecided, int item) {
+#if IS_BLOCK
+    global uint* word = undecided.words + (undecided.first_block + item) * (BLOCK_RAYS / 32);
+    word[0] = (uint)rays;
+    word[1] = (uint)(rays >> 32);
+#else
+    leave_undecided(rays, undecided, item);
+#endif
+}
+
 #endif

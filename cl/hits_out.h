@@ -36,12 +36,15 @@ INLINE void store_misses(HitsOut out, int item) {
     FOR_PACKETS(k) store_hit(no_hit(), infinite, infinite, out, item, k);
 }
 
-// Adds to the block's count. Where nobody else does, not at once: an atomic waits until all that was stored before it
-// has reached the cache, a tenth of this kernel's time.
+// Says how many rays of the block hit or, of what is not all of it or of the first chunk alone, how many more. Where
+// nobody else adds to it, not at once: an atomic waits until all that was stored before it has reached the cache, a
+// tenth of this kernel's time.
 INLINE void count_hits(global int* counts, int item, int more) {
     global int* count = counts + (uint)item * (LANES * PACKETS) / BLOCK_RAYS;
-#if LANES * PACKETS == BLOCK_RAYS
+#if IS_BLOCK && CHUNKS
     *count += more;
+#elif IS_BLOCK
+    *count = more;
 #else
     atomic_add(count, more);
 #endif

@@ -3,13 +3,13 @@
 // Reads the hierarchy of the spheres as the eye sees them, and dirs (block order, 3 a ray) or, with -D
 // RAYS=RAYS_GENERATED, nothing else: it makes the rays itself, as generate_rays would. Writes per ray the hit's
 // position from the eye, t dir, the outward unit normal, the id and t (a miss: no position, (inf, inf, inf), -1, +inf);
-// with -D HITS=HITS_FOR_LIGHTS no t, and of vectors of rays that all miss the ids alone. Adds to hit_counts, one a
-// block and first_block of them before these, how many more of its rays hit. Where the spheres come in chunks (-D
-// CHUNKS=1) and this is not the first of them, what was written for those before is read, and stays where nothing is
-// closer. With -D CERTIFIED=1 it also sets the bits of the rays of which rounding may decide what they hit in undecided
-// (one a ray, from first_block's on), and keeps in doubts what is to be known of all others' hits (certify.h); with -D
-// BOXES=1 the boxes around blocks' hits. One work-item: PACKETS * LANES neighbouring rays of a block against the
-// spheres that their fat ray may meet.
+// with -D HITS=HITS_FOR_LIGHTS no t, and of vectors of rays that all miss the ids alone. Says in hit_counts, one a
+// block and first_block of them before these, how many of its rays hit; where the spheres come in chunks or a work-item
+// is less than a block, adds it. Where the spheres come in chunks (-D CHUNKS=1) and this is not the first of them, what
+// was written for those before is read, and stays where nothing is closer. With -D CERTIFIED=1 it also says, or adds,
+// in undecided (a bit a ray, from first_block's on) of which rays rounding may decide what they hit, and keeps in
+// doubts what is to be known of all others' hits (certify.h); with -D BOXES=1 the boxes around blocks' hits. One
+// work-item: PACKETS * LANES neighbouring rays of a block against the spheres that their fat ray may meet.
 #include "certain_hit.h"
 #include "closest_hit.h"
 #include "eye_pencil.h"
@@ -73,6 +73,10 @@ kernel void intersect_closest(
     int rest, c = next_candidates(hierarchy, &traversal, fat, &rest);
     if (c < 0) {
         store_misses(out, item);
+        if (IS_BLOCK) count_hits(hit_counts + pass.first_block, item, 0);
+#if CERTIFIED
+        if (IS_BLOCK) say_undecided(0, (Undecided){undecided, pass.first_block}, item);
+#endif
         return;
     }
 #endif
@@ -145,7 +149,7 @@ kernel void intersect_closest(
     ulong open = 0;
     if (!are_easy(easy)) open = undecided_hits(dir, hit, &bounds, base, &doubt);
     keep_doubts(doubt.position, doubt.curvature, doubts, doubts_place(pass.first_block, item));
-    leave_undecided(open, (Undecided){undecided, pass.first_block}, item);
+    say_undecided(open, (Undecided){undecided, pass.first_block}, item);
 #endif
     count_hits(hit_counts + pass.first_block, item, REDUCE(count, ints_of(hits)));
 }

@@ -62,6 +62,8 @@ typedef CONCAT(WHOLE, LANES) wholew;
 
 #define wide(x) ((realw)(x))
 #define wide_float(x) ((floatw)(x))
+// Whether a work-item's rays are all those of a block: what is kept of that is then nobody else's.
+#define IS_BLOCK (LANES * PACKETS == BLOCK_RAYS)
 // What 4 packets of a block have stays in the 32 registers that a CPU with vectors of 16 has. Narrower vectors are
 // more, and registers 16 or so: from memory, in a loop that is one, intersect_closest is a tenth faster, and compiled
 // sooner.

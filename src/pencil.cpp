@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 
 #include "rounding.h"
@@ -32,7 +32,7 @@ struct Directions {
 Basis rounded_basis(const Directions& d) { return {rounded<float>(d.u), rounded<float>(d.v), rounded<float>(d.axis)}; }
 
 // With 50 digits: where `up` is nearly parallel to the view, their cross product in double loses most of its own.
-using Digits = boost::multiprecision::cpp_bin_float_50;
+using Digits = boost::multiprecision::static_mpfr_float_50;
 using Precise = std::array<Digits, 3>;
 
 Precise precise(const Vec3& v) { return {Digits(v.x), Digits(v.y), Digits(v.z)}; }

@@ -163,6 +163,10 @@ int Plan::items(Kernel kernel, const Tile& tile) const {
 
 bool Plan::flat() const { return spheres <= flat_spheres && !memory.cut; }
 
+/// By several work-items or, where spheres come in chunks, by several launches; and never set where another device is
+/// the block's.
+bool Plan::adds_to_blocks() const { return rays_per_item() < BLOCK_RAYS || memory.cut || shares_tiles; }
+
 std::string Plan::walk() const {
     if (!flat()) return "WALK_NODES";
     return spheres > few_spheres ? "WALK_CLUSTERS" : "WALK_SPHERES";

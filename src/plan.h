@@ -113,6 +113,7 @@ struct Plan {
     bool albedos_of_rays = false;  ///< looked up by the host when all hits are known, since no chunk has all
 
     int rays_per_item() const { return lanes * packets; }
+    bool adds_to_blocks() const;  ///< of the image's blocks, what is kept of each is added to, and must be 0 before
     int items(Kernel kernel, const Tile& tile) const;  ///< work-items of a launch
     std::string walk() const;                          ///< how rays meet the spheres: cl/types.h
     bool flat() const;                ///< so few spheres that the host puts them in clusters and in view: no nodes

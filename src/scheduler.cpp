@@ -91,7 +91,8 @@ Measured Scheduler::run(TileQueue& tiles, const std::vector<cl::Event>& after,
         }
     } finish{*this};
     std::vector<cl::Event> ready = after;
-    queue_.enqueueFillBuffer(hit_counts_, 0, 0, hits.size() * sizeof(int), nullptr, &ready.emplace_back());
+    if (plan_.adds_to_blocks())
+        queue_.enqueueFillBuffer(hit_counts_, 0, 0, hits.size() * sizeof(int), nullptr, &ready.emplace_back());
     if (plan_.certified) undecided_.clear(queue_, ready);
     queue_.flush();  // or other queues might wait for it forever (OpenCL 1.2, 5.13)
     for (Slot& slot : slots_) slot.busy = ready;
@@ -100,11 +101,14 @@ Measured Scheduler::run(TileQueue& tiles, const std::vector<cl::Event>& after,
     else
         run_ahead(progress);
     queue_.enqueueReadBuffer(hit_counts_, CL_FALSE, 0, hits.size() * sizeof(int), hits.data());
-    if (plan_.write_in_place) map_planes(queue_, binder_->planes());
+    if (plan_.write_in_place)
+        map_planes(queue_, binder_->planes());
+    else
+        queue_.finish();
+    count_hits(hits);
     if (plan_.certified)
         measured_.undecided = pixels_of(undecided_.read(queue_, {}, blocks_of(plan_)), plan_.tiles, plan_.image);
     queue_.finish();
-    count_hits(hits);
     return measured_;
 }
 

@@ -36,15 +36,16 @@ UndecidedRays::UndecidedRays(const DeviceMemory& memory, const Plan& plan, int b
     : bytes_(static_cast<size_t>(blocks) * words_of_block * sizeof(uint32_t)),
       doubts_bytes_(static_cast<size_t>(blocks) * BLOCK_RAYS / static_cast<size_t>(plan.doubt_rays) * 2 *
                     static_cast<size_t>(real_bytes(plan.accuracy))),
-      adds_up_(plan.rays_per_item() < plan.doubt_rays) {
+      adds_rays_(plan.adds_to_blocks()),
+      adds_doubts_(plan.rays_per_item() < plan.doubt_rays) {
     if (!plan.certified) return;
     words_ = memory.room<uint32_t>(int64_t{blocks} * words_of_block);
     doubts_ = memory.room<uint8_t>(static_cast<int64_t>(doubts_bytes_));
 }
 
 void UndecidedRays::clear(const cl::CommandQueue& queue, std::vector<cl::Event>& busy) const {
-    queue.enqueueFillBuffer(words_, uint32_t{0}, 0, bytes_, nullptr, &busy.emplace_back());
-    if (adds_up_) queue.enqueueFillBuffer(doubts_, uint32_t{0}, 0, doubts_bytes_, nullptr, &busy.emplace_back());
+    if (adds_rays_) queue.enqueueFillBuffer(words_, uint32_t{0}, 0, bytes_, nullptr, &busy.emplace_back());
+    if (adds_doubts_) queue.enqueueFillBuffer(doubts_, uint32_t{0}, 0, doubts_bytes_, nullptr, &busy.emplace_back());
 }
 
 std::vector<int> UndecidedRays::read(const cl::CommandQueue& queue, const std::vector<cl::Event>& after,

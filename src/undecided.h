@@ -16,7 +16,7 @@ class UndecidedRays {
     /// For the rays of so many blocks of such a plan; not cleared. Of pictures that are not certified there are none.
     UndecidedRays(const DeviceMemory& memory, const Plan& plan, int blocks);
 
-    /// Sets none; `busy` then holds the end of it too.
+    /// Sets none, where kernels add to what there is; `busy` then holds the end of it too.
     void clear(const cl::CommandQueue& queue, std::vector<cl::Event>& busy) const;
     /// Those of so many blocks that are set, in order, once all of `after` has ended; waits for that.
     std::vector<int> read(const cl::CommandQueue& queue, const std::vector<cl::Event>& after, int blocks) const;
@@ -29,7 +29,7 @@ class UndecidedRays {
     static constexpr int words_of_block = BLOCK_RAYS / 32;
 
     size_t bytes_, doubts_bytes_;
-    bool adds_up_;  // the doubts of several work-items
+    bool adds_rays_, adds_doubts_;
     cl::Buffer words_, doubts_;
 };
 

@@ -45,6 +45,7 @@ HitsOf<real> closest(Bench& bench, Width w, const Camera& camera, const PencilSp
     dirs.check_unchanged();
     in.check_unchanged();
     std::vector<int> expected(first_block + blocks, counted_before);
+    if (w.rays() == BLOCK_RAYS) std::fill(expected.begin() + first_block, expected.end(), 0);  // said, not added
     int elsewhere = 0;
     for (size_t ray = 0; ray < rays; ++ray) {
         expected[first_block + ray / BLOCK_RAYS] += hits.ids[ray] >= 0;

@@ -62,7 +62,7 @@ LitRay lit_ray() {
 
 /// At the end of intersect_closest that ray hits the next sphere of the three.
 Damage wrong_hit(const LitRay& at) {
-    const std::string end = "count_hits(hit_counts";
+    const std::string end = "count_hits(hit_counts + pass.first_block, item, REDUCE";
     return {"intersect_closest.cl", end,
             fmt::format("if (item == {0} / (LANES * PACKETS)) ids[{0}] = (ids[{0}] + 1) % 3;\n", at.ray) + end};
 }
