@@ -52,11 +52,11 @@ INLINE int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Boun
         const wholew plain = near[k] & (discriminant[k] > off.plain);
         const realw t = choose(plain, sphere_root(s, b[k], discriminant[k]), wide(INFINITY));
         const wholew closer = t < hit[k].t;
-        const realw begin = choose(plain, least_root(t, s, off, discriminant[k]), wide(INFINITY));
-        const realw loser = choose(closer, bounds->begin[k], begin);
-        bounds->begin[k] = choose(closer, begin, bounds->begin[k]);
-        const realw other = choose(near[k] & !plain, b[k] - off.back, loser);
-        bounds->other[k] = choose(other < bounds->other[k], other, bounds->other[k]);
+        const realw no_plain = choose(near[k], b[k] - off.back, wide(INFINITY));
+        const realw begin = choose(plain, least_root(t, s, off, discriminant[k]), no_plain);
+        const realw later = choose(begin > bounds->first[k], begin, bounds->first[k]);
+        bounds->first[k] = choose(begin < bounds->first[k], begin, bounds->first[k]);
+        bounds->second[k] = choose(later < bounds->second[k], later, bounds->second[k]);
         hit[k].t = choose(closer, t, hit[k].t);
         hit[k].id = choose(closer, (wholew)(s.id), hit[k].id);
         hit[k].center = select_w(closer, broadcast(s.center), hit[k].center);
@@ -72,6 +72,12 @@ INLINE int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Boun
 
 // What begins beyond cannot come before the hit.
 INLINE realw reaches(Hit hit) { return fma(hit.t, wide(MOST_OFF), hit.t); }
+
+// Where what else the ray of packet k may meet begins. If that is nearer than its hit does, so that the hit itself is
+// the second, neither is beyond the hit.
+INLINE realw other_than(Hit hit, const Bounds* bounds, int k) {
+    return choose(hit.id >= 0, bounds->second[k], bounds->first[k]);
+}
 
 // Whether it is certain what the ray meets, if that may be off by so much: whatever else there is begins beyond. A miss
 // must have met nothing at all. What is added to t's own doubt (position_doubt) is nothing beside it.
@@ -119,7 +125,7 @@ INLINE HitDoubts easy_doubts(EasyHits all, real steep, real base) {
 INLINE ulong undecided_hits(const vec3w* dir, const Hit* hit, const Bounds* bounds, real base, HitDoubts* doubts) {
     Packets own = copies_of(dir, hit);
     realw other[PACKETS];
-    FOR_PACKETS(k) other[k] = bounds->other[k];
+    FOR_PACKETS(k) other[k] = other_than(hit[k], bounds, k);
     ulong open = 0;
     HitDoubts most = {wide(0.0f), wide(0.0f)};
     ONE_PACKET_AT_A_TIME(k) {

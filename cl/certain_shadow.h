@@ -40,6 +40,7 @@ INLINE ulong facing_alone(Hits hits, LightPencil light, Certainty certainty, int
 #if DOUBT_RAYS == 1
         left |= (ulong)(uint)open << k * LANES;
 #else
+        if (!open) continue;
         const realw off = own_position_doubt(position, normal, certainty.curvature, certainty.base);
         for (int rest = open; rest; rest &= rest - 1) {
             const int lane = lowest_bit(rest);
@@ -118,9 +119,11 @@ INLINE ulong trace_each_alone(Hits hits, Hierarchy hierarchy, LightPencil light,
     FOR_PACKETS(k) rays[k] = ray[k];
     ulong left = 0, closed = 0;
     ONE_PACKET_AT_A_TIME(k) {
+        int rest = (int)(open >> k * LANES) & ALL_LANES;
+        if (!rest) continue;
         const vec3w position = position_of(hits, item, k), normal = load_3(hits.normals, item, k);
         const realw off = own_position_doubt(position, normal, certainty.curvature, certainty.base);
-        for (int rest = (int)(open >> k * LANES) & ALL_LANES; rest; rest &= rest - 1) {
+        for (; rest; rest &= rest - 1) {
             const int lane = lowest_bit(rest), id = hits.ids[lane_address(item, k, 0, 1) + (size_t)lane];
             const LightDoubt own = doubt_at(light, LANE_OF(off, lane), certainty.curvature, certainty.base);
             const ulong found = (ulong)trace_alone(hierarchy, fat, most, rays[k], own, id, lane);

@@ -14,9 +14,8 @@ typedef struct {
 
 // What is sure of the closest hits.
 typedef struct {
-    realw other[PACKETS];  // whatever else the rays may meet begins no nearer
-    real steep;            // of all spheres that they hit: certify.h
-    realw begin[PACKETS];  // the closest hits begin no nearer
+    realw first[PACKETS], second[PACKETS];  // no nearer begins what the rays may meet, and what they may besides
+    real steep;                             // of all spheres that they hit: certify.h
 } Bounds;
 
 INLINE Bounds no_bounds(void) {
@@ -26,7 +25,7 @@ INLINE Bounds no_bounds(void) {
 #else
     bounds.steep = MOST_STEEP;
 #endif
-    FOR_PACKETS(k) bounds.other[k] = bounds.begin[k] = wide(INFINITY);
+    FOR_PACKETS(k) bounds.first[k] = bounds.second[k] = wide(INFINITY);
     return bounds;
 }
 

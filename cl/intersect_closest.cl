@@ -124,7 +124,7 @@ kernel void intersect_closest(
         realw inverse;
         vec3w normal = outward_normal(hit[k], dir[k], &inverse);
 #if CERTIFIED
-        add_hit(&easy, hit[k], bounds.other[k], fabs(dot_w(dir[k], normal)), inverse, base);
+        add_hit(&easy, hit[k], other_than(hit[k], &bounds, k), fabs(dot_w(dir[k], normal)), inverse, base);
 #endif
         hits += choose(hit[k].id >= 0, (wholew)(1), (wholew)(0));
 #if CHUNKS
