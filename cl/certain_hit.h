@@ -70,8 +70,9 @@ INLINE int intersect(PencilSphere s, const vec3w* dir, real base, Hit* hit, Boun
     return 1;
 }
 
-// What begins beyond cannot come before the hit.
-INLINE realw reaches(Hit hit) { return fma(hit.t, wide(MOST_OFF), hit.t); }
+// What begins beyond leaves no hit undecided, however steep both are, so that it does not matter whether it is looked
+// at (docs/accuracy.md, "What is passed over").
+INLINE realw reaches(Hit hit) { return fma(hit.t, wide(2 * MOST_OFF), hit.t); }
 
 // Where what else the ray of packet k may meet begins. If that is nearer than its hit does, so that the hit itself is
 // the second, neither is beyond the hit.

@@ -1,6 +1,8 @@
 // intersect_closest alone, and how far its roots may be off.
 #pragma once
 
+#include <algorithm>
+
 #include "guarded_spheres.h"
 #include "kernel_harness.h"
 #include "pencil.h"
